@@ -1,0 +1,40 @@
+# A room is a folder of src/ that becomes the static library washtub_<room>.
+# `washtub_room(flow DEPENDS grid)` also says which way its includes may point.
+function(washtub_room room)
+  cmake_parse_arguments(ARG "" "" "DEPENDS" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${room}/*.cpp)
+  list(TRANSFORM ARG_DEPENDS PREPEND washtub_)
+  if(sources)
+    add_library(washtub_${room} STATIC ${sources})
+    set(scope PUBLIC)
+  else()
+    add_library(washtub_${room} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_include_directories(washtub_${room} ${scope} ${CMAKE_SOURCE_DIR}/src)
+  target_link_libraries(washtub_${room} ${scope} ${ARG_DEPENDS} washtub_libraries)
+  if(sources)
+    target_link_libraries(washtub_${room} PRIVATE $<BUILD_INTERFACE:washtub_compiler>)
+  endif()
+endfunction()
+
+# Tests of a room: tests/<room>/*.cpp becomes test_<room>; RANKS adds a run on so many MPI ranks.
+function(washtub_tests room)
+  cmake_parse_arguments(ARG "" "" "RANKS;WITH" ${ARGN})
+  list(TRANSFORM ARG_WITH PREPEND washtub_)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/${room}/*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(test_${room} ${sources} ${CMAKE_SOURCE_DIR}/tests/main.cpp)
+  target_link_libraries(test_${room} PRIVATE washtub_${room} ${ARG_WITH} washtub_compiler GTest::gtest GTest::gmock)
+  target_include_directories(test_${room} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+  add_test(NAME ${room} COMMAND test_${room} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+  foreach(n ${ARG_RANKS})
+    add_test(NAME ${room}_ranks_${n}
+      COMMAND ${MPIEXEC_EXECUTABLE} --allow-run-as-root --oversubscribe ${MPIEXEC_NUMPROC_FLAG} ${n}
+              $<TARGET_FILE:test_${room}>
+      WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+    set_tests_properties(${room}_ranks_${n} PROPERTIES PROCESSORS 2)
+  endforeach()
+endfunction()

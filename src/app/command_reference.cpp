@@ -1,0 +1,13 @@
+#include <fmt/format.h>
+
+#include "app/commands.hpp"
+#include "washer/case.hpp"
+
+namespace washtub {
+
+int command_reference() {
+  fmt::print("{}", input_reference());
+  return 0;
+}
+
+}  // namespace washtub

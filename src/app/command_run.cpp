@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+#include <mpi.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "app/commands.hpp"
+#include "app/directory.hpp"
+#include "app/launch.hpp"
+#include "app/run.hpp"
+#include "app/stop.hpp"
+#include "base/error.hpp"
+
+namespace washtub {
+namespace {
+
+constexpr const char* prepared_mark = "WASHTUB_PREPARED";
+
+/// Initialises MPI for as long as it lives.
+struct Mpi {
+  Mpi() { MPI_Init(nullptr, nullptr); }
+  ~Mpi() { MPI_Finalize(); }
+  Mpi(const Mpi&) = delete;
+  Mpi& operator=(const Mpi&) = delete;
+};
+
+int rank() {
+  int value = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &value);
+  return value;
+}
+
+void print_error(const char* message) { fmt::print(stderr, "washtub: {}\n", message); }
+
+/// Whether all ranks come here within two seconds, so that none is left waiting for another.
+bool all_failed() {
+  MPI_Request request = MPI_REQUEST_NULL;
+  MPI_Ibarrier(MPI_COMM_WORLD, &request);
+  int done = 0;
+  for (int wait = 0; wait < 200 && !done; ++wait) {
+    MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+    if (!done) usleep(10000);
+  }
+  return done != 0;
+}
+
+/// Ends quietly where every rank failed alike, else ends the others too.
+int fail(const char* message, int code) {
+  const bool together = all_failed();
+  if (!together || rank() == 0) print_error(message);
+  if (!together) MPI_Abort(MPI_COMM_WORLD, code);
+  return code;
+}
+
+/// Under a launcher other than ours rank 0 still has to see to the directory.
+void prepare_once(const RunOptions& options) {
+  if (std::getenv(prepared_mark)) return;
+  std::string message;
+  int good = 1;
+  if (rank() == 0) {
+    try {
+      prepare_directory(options.directory, options.force);
+    } catch (const InputError& error) {
+      message = error.what();
+      good = 0;
+    }
+  }
+  MPI_Bcast(&good, 1, MPI_INT, 0, MPI_COMM_WORLD);
+  if (!good) throw InputError(message);
+}
+
+/// One rank of the simulation.
+int simulate(const RunArguments& arguments, const RunOptions& options) {
+  const Mpi mpi;
+  install_stop_handlers();
+  try {
+    const Case whole = read_case(arguments.input.path, arguments.input.settings);
+    prepare_once(options);
+    return run_case(whole, options);
+  } catch (const InputError& error) {
+    return fail(error.what(), 2);
+  } catch (const std::exception& error) {
+    return fail(error.what(), 1);
+  }
+}
+
+/// Blocks reach over at least eight cells, along y and z.
+int most_ranks(const Case& whole) {
+  const auto& cells = whole.domain.cells;
+  return whole.dimension == 3 ? (cells[1] / 8) * (cells[2] / 8) : cells[1] / 8;
+}
+
+int choose_ranks(const RunArguments& arguments, const Case& whole) {
+  const int most = most_ranks(whole);
+  const int ranks = arguments.ranks.value_or(std::min(physical_cores(), most));
+  if (ranks < 1 || ranks > most)
+    throw InputError(fmt::format("-n {}: allowed: 1 to {} ranks on this grid", ranks, most));
+  return ranks;
+}
+
+}  // namespace
+
+int command_run(const RunArguments& arguments) {
+  RunOptions options{arguments.directory, arguments.force, arguments.all};
+  if (options.directory.empty()) options.directory = default_directory(arguments.input.path);
+  if (inside_mpi()) return simulate(arguments, options);
+  const Case whole = read_case(arguments.input.path, arguments.input.settings);
+  const int ranks = choose_ranks(arguments, whole);
+  prepare_directory(options.directory, options.force);
+  setenv(prepared_mark, "1", 1);
+  return ranks == 1 ? simulate(arguments, options) : launch_ranks(ranks, arguments.all);
+}
+
+}  // namespace washtub

@@ -1,0 +1,35 @@
+#include "app/directory.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <system_error>
+
+#include "base/error.hpp"
+
+namespace washtub {
+
+namespace fs = std::filesystem;
+
+std::string default_directory(const std::string& case_path) {
+  const fs::path path = fs::absolute(case_path).lexically_normal();
+  const fs::path name = path.stem() == "case" ? path.parent_path().filename() : path.stem();
+  return (fs::path("out") / name).string();
+}
+
+void prepare_directory(const std::string& directory, bool force) {
+  std::error_code error;
+  if (fs::exists(directory, error) && !fs::is_directory(directory, error))
+    throw InputError(fmt::format("{}: is not a directory; name another one with -o", directory));
+  fs::create_directories(directory, error);
+  if (error) throw InputError(fmt::format("{}: cannot be made: {}", directory, error.message()));
+  if (access(directory.c_str(), W_OK | X_OK) != 0)
+    throw InputError(fmt::format("{}: cannot be written; name another one with -o", directory));
+  if (!force && !fs::is_empty(directory, error))
+    throw InputError(fmt::format(
+        "{}: holds results already; name another directory with -o, or overwrite them with --force",
+        directory));
+}
+
+}  // namespace washtub

@@ -1,0 +1,13 @@
+#pragma once
+#include <string>
+
+namespace washtub {
+
+/// out/<name of the case>: its file's name, or its folder's where the file is called case.toml.
+std::string default_directory(const std::string& case_path);
+
+/// On return the directory exists, can be written, and is empty unless `force`.
+/// @throws InputError
+void prepare_directory(const std::string& directory, bool force);
+
+}  // namespace washtub

@@ -1,0 +1,82 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "base/error.hpp"
+
+namespace washtub {
+namespace {
+
+void add_case(CLI::App& command, CaseArguments& arguments) {
+  command.add_option("CASE", arguments.path, "case file (TOML)")->required();
+  command
+      .add_option("--set", arguments.settings,
+                  "override a key of the case file, as in --set cloth.count=32")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
+}
+
+void add_run(CLI::App& app, RunArguments& arguments) {
+  CLI::App& command = *app.add_subcommand("run", "simulate a case");
+  add_case(command, arguments.input);
+  command.add_option("-o", arguments.directory, "directory of the results [out/<case>]")
+      ->type_name("DIR");
+  command.add_option("-n", arguments.ranks, "MPI ranks [physical cores]")->type_name("RANKS");
+  command.add_flag("--force", arguments.force, "overwrite earlier results");
+}
+
+/// @throws InputError where a word stands in the place of the command and is none.
+void check_command(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
+  throw InputError(fmt::format("unknown command {}; there are {}", word, fmt::join(names, ", ")));
+}
+
+/// Reads the command line and runs the command. Returns the exit code.
+int command_line(int argc, char** argv) {
+  CLI::App app("Washtub: how water moves clothes in a washing machine");
+  app.set_version_flag("--version", "washtub " WASHTUB_VERSION);
+  app.require_subcommand(1);
+  RunArguments run;
+  run.all.assign(argv, argv + argc);
+  add_run(app, run);
+  CaseArguments check;
+  add_case(*app.add_subcommand("check", "validate a case and show what it means"), check);
+  app.add_subcommand("reference", "print the input reference");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    check_command(app, argc > 1 ? argv[1] : "-");
+    fmt::print(stderr, "washtub: {}\nTry washtub --help.\n", error.what());
+    return 2;
+  }
+  if (app.got_subcommand("run")) return command_run(run);
+  return app.got_subcommand("check") ? command_check(check) : command_reference();
+}
+
+}  // namespace
+}  // namespace washtub
+
+/// Exit codes: 0 done, 1 the simulation failed, 2 the input is wrong, 130 stopped on request.
+int main(int argc, char** argv) {
+  try {
+    return washtub::command_line(argc, argv);
+  } catch (const washtub::InputError& error) {
+    fmt::print(stderr, "washtub: {}\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "washtub: {}\n", error.what());
+    return 1;
+  }
+}

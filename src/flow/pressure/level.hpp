@@ -1,0 +1,186 @@
+#pragma once
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "grid/grid.hpp"
+
+namespace washtub {
+
+/// One level of the masked Poisson problem  sum_faces g phi (x - x_neighbour) = b : the unknowns,
+/// the open fraction phi of each face (0 closed, 1 open) and where in each row cells are live.
+template <int D, class T>
+struct Level {
+  Block<D> block;
+  Halo<D> halo;
+  Index<D> factor{};   ///< cells of the finer level per cell of this one
+  Index<D> place{};    ///< where this rank's part starts (gathered levels), else 0
+  std::array<T, D> g;  ///< 1/(rho h^2) along each axis
+  Storage<T> x, b;
+  std::array<const float*, D> open;      ///< open fraction of the lower faces of each axis
+  Storage<float> inverse_diagonal;       ///< 0 in dead cells
+  std::vector<int> begin, end;           ///< live range of each row
+  std::array<std::vector<T>, 2> colour;  ///< 1 on the cells of a colour, else 0
+  mutable std::vector<T> row_buffer;
+
+  void allocate(const Block<D>& block_) {
+    block = block_;
+    const auto n = static_cast<std::size_t>(block.size);
+    x = Storage<T>(n);
+    b = Storage<T>(n);
+    inverse_diagonal = Storage<float>(n);
+    begin.assign(static_cast<std::size_t>(block.rows() * block.planes()), 0);
+    end = begin;
+    for (int c = 0; c < 2; ++c) {
+      colour[c].resize(static_cast<std::size_t>(block.width()) + 16);
+      for (std::size_t i = 0; i < colour[c].size(); ++i)
+        colour[c][i] = static_cast<T>(static_cast<int>(i & 1) == c);
+    }
+    row_buffer.resize(static_cast<std::size_t>(block.width()) + 16);
+  }
+};
+
+/// One row of a level, ready for the inner loops.
+template <int D, class T>
+struct LevelRow {
+  long p;
+  int begin, end;
+  const T *x, *b;
+  std::array<const float*, D> open;
+  std::array<long, D> s;
+  std::array<T, D> g;
+
+  LevelRow(const Level<D, T>& l, int j, int k) : s(l.block.stride), g(l.g) {
+    const auto r = static_cast<std::size_t>(l.block.row_index(j, k));
+    begin = l.begin[r];
+    end = l.end[r];
+    p = l.block.row(j, k);
+    x = l.x.data() + p;
+    b = l.b.data() + p;
+    for (int d = 0; d < D; ++d) open[d] = l.open[d] + p;
+  }
+  template <int d>
+  T flux(int i, T o) const {
+    const long t = d == 0 ? 1 : s[d];
+    return g[d] * (static_cast<T>(open[d][i]) * (x[i - t] - o) +
+                   static_cast<T>(open[d][i + t]) * (x[i + t] - o));
+  }
+  /// b - A x in cell i.
+  T residual(int i) const {
+    const T o = x[i];
+    T r = b[i] + flux<0>(i, o) + flux<1>(i, o);
+    if constexpr (D == 3) r += flux<2>(i, o);
+    return r;
+  }
+};
+
+/// Over-relaxed Gauss-Seidel on the cells of one colour of a row. In difference form: single
+/// precision coefficients would otherwise bound the accuracy. The update goes through a buffer
+/// because an in-place one does not vectorise.
+template <int D, class T>
+void relax_row(Level<D, T>& l, int j, int k, int colour, T omega) {
+  const LevelRow<D, T> row(l, j, k);
+  T* __restrict__ fresh = l.row_buffer.data();
+  T* x = l.x.data() + row.p;
+  const float* id = l.inverse_diagonal.data() + row.p;
+  const T* on = l.colour[(l.block.parity(j, k) + colour) & 1].data();
+#pragma omp simd
+  for (int i = row.begin; i < row.end; ++i)
+    fresh[i] = row.x[i] + omega * on[i] * static_cast<T>(id[i]) * row.residual(i);
+#pragma omp simd
+  for (int i = row.begin; i < row.end; ++i) x[i] = fresh[i];
+}
+
+/// Adds the residual of a row to `sum` and returns its largest absolute value.
+template <int D, class T>
+double residual_row(const Level<D, T>& l, int j, int k, float* __restrict__ sum) {
+  const LevelRow<D, T> row(l, j, k);
+  T largest = 0;
+#pragma omp simd reduction(max : largest)
+  for (int i = row.begin; i < row.end; ++i) {
+    const T r = row.residual(i);
+    sum[i] += static_cast<float>(r);
+    largest = std::max(largest, std::abs(r));
+  }
+  return static_cast<double>(largest);
+}
+
+/// Adds the right-hand side of a row to `sum`.
+template <int D, class T>
+void source_row(const Level<D, T>& l, int j, int k, float* __restrict__ sum) {
+  const LevelRow<D, T> row(l, j, k);
+#pragma omp simd
+  for (int i = row.begin; i < row.end; ++i) sum[i] += static_cast<float>(row.b[i]);
+}
+
+/// Interpolates the coarse correction to a fine row: the parent's value plus a quarter of the
+/// difference to the neighbour on the child's side, weighted with the open fraction of the coarse
+/// face between them, so that nothing passes through closed faces.
+template <bool add, int D, class T>
+void prolong_row(Level<D, T>& l, const Level<D, float>& coarse, int j, int k) {
+  const auto r = static_cast<std::size_t>(l.block.row_index(j, k));
+  const int begin = l.begin[r], end = l.end[r];
+  if (begin >= end) return;
+  const int row_factor = D == 3 ? coarse.factor[1] : 1, plane_factor = coarse.factor[D - 1];
+  const int J = j / row_factor + (D == 3 ? coarse.place[1] : 0);
+  const int K = k / plane_factor + coarse.place[D - 1];
+  const long q = coarse.block.row(J, K);
+  const float* c = coarse.x.data() + q;
+  T* __restrict__ o = l.x.data() + l.block.row(j, k);
+
+  const auto side = [&](int d, int child) {  // offset of the neighbour and its face
+    const long s = coarse.block.stride[d];
+    return std::pair{child & 1 ? s : -s, child & 1 ? s : 0L};
+  };
+  const auto [zn, zf] = side(D - 1, k);
+  const auto [yn, yf] = side(D == 3 ? 1 : D - 1, j);
+  const float wz = plane_factor == 2 ? 0.25F : 0.0F, wy = row_factor == 2 ? 0.25F : 0.0F;
+  const float* openz = coarse.open[D - 1] + q + zf;
+  const float* openy = coarse.open[D == 3 ? 1 : D - 1] + q + yf;
+  const float* openx = coarse.open[0] + q;
+  const auto across = [&, zn = zn, yn = yn](int i) {
+    float v = c[i] + wz * openz[i] * (c[i + zn] - c[i]);
+    if constexpr (D == 3) v += wy * openy[i] * (c[i + yn] - c[i]);
+    return v;
+  };
+  const auto put = [&](int i, float v) {
+    o[i] = add ? o[i] + static_cast<T>(v) : static_cast<T>(v);
+  };
+  if (coarse.factor[0] == 1) {
+#pragma omp simd
+    for (int i = begin; i < end; ++i) put(i, across(i));
+  } else {
+#pragma omp simd
+    for (int i = begin / 2; i < (end + 1) / 2; ++i) {
+      const float v = across(i);
+      put(2 * i, v + 0.25F * openx[i] * (c[i - 1] - c[i]));
+      put(2 * i + 1, v + 0.25F * openx[i + 1] * (c[i + 1] - c[i]));
+    }
+  }
+}
+
+/// Inverse diagonal and live range of a row from its open fractions.
+template <int D, class T>
+void finish_row(Level<D, T>& l, int j, int k) {
+  const long p = l.block.row(j, k);
+  const int n = l.block.width();
+  float* __restrict__ id = l.inverse_diagonal.data() + p;
+  std::array<float, D> g;
+  for (int d = 0; d < D; ++d) g[d] = static_cast<float>(l.g[d]);
+  const float *ox = l.open[0] + p, *oy = l.open[1] + p, *oz = l.open[D - 1] + p;
+  const long sy = l.block.stride[1], sz = l.block.stride[D - 1];
+#pragma omp simd
+  for (int i = 0; i < n; ++i) {
+    float a = g[0] * (ox[i] + ox[i + 1]) + g[1] * (oy[i] + oy[i + sy]);
+    if constexpr (D == 3) a += g[2] * (oz[i] + oz[i + sz]);
+    id[i] = a > 0 ? 1.0F / a : 0.0F;
+  }
+  int first = 0, last = n;
+  while (first < last && id[first] == 0) ++first;
+  while (last > first && id[last - 1] == 0) --last;
+  const auto r = static_cast<std::size_t>(l.block.row_index(j, k));
+  l.begin[r] = first < last ? first / 16 * 16 : 0;
+  l.end[r] = first < last ? last : 0;
+}
+
+}  // namespace washtub

@@ -1,0 +1,340 @@
+#include "flow/pressure/multigrid.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "flow/pressure/components.hpp"
+#include "flow/pressure/gather.hpp"
+#include "grid/wavefront.hpp"
+
+namespace washtub {
+namespace {
+
+constexpr double omega = 1.15;    // over-relaxation of every sweep
+constexpr int finest_sweeps = 2;  // after the coarse correction; none before it
+constexpr int coarse_sweeps = 1;
+constexpr int coarsest_sweeps = 16;
+constexpr double stall = 0.5;            // a slower factor twice running calls for Krylov
+
+}  // namespace
+
+template <int D>
+struct Multigrid<D>::Gather : GatherBlocks<D> {
+  using GatherBlocks<D>::GatherBlocks;
+};
+
+template <int D>
+Multigrid<D>::Multigrid(const Grid<D>& grid, double density, std::array<const float*, D> open)
+    : grid_(grid) {
+  const auto& mesh = grid.mesh();
+  finest_.allocate(grid.block());
+  finest_.halo = Halo<D>(grid.comm(), grid.block(), mesh.periodic[0]);
+  finest_.open = open;
+  for (int d = 0; d < D; ++d) finest_.g[d] = 1.0 / (density * mesh.h[d] * mesh.h[d]);
+
+  const auto hierarchy = coarsen(mesh);
+  coarse_.resize(hierarchy.size());
+  coarse_open_.resize(hierarchy.size());
+  first_gathered_ = hierarchy.size();
+  std::array<int, D> ones, periods{};
+  ones.fill(1);
+  for (int d = 1; d < D; ++d) periods[d - 1] = mesh.periodic[d];
+  MPI_Comm self = MPI_COMM_NULL;
+  MPI_Cart_create(MPI_COMM_SELF, D - 1, ones.data(), periods.data(), 0, &self);
+  comms_.push_back(self);
+
+  Block<D> block = grid.block();
+  bool whole = grid.parallel().size() == 1;
+  for (std::size_t l = 0; l < hierarchy.size(); ++l) {
+    const auto& level = hierarchy[l];
+    auto& c = coarse_[l];
+    Block<D> part = block;
+    for (int d = 0; d < D; ++d) {
+      part.offset[d] /= level.factor[d];
+      part.count[d] /= level.factor[d];
+    }
+    c.factor = level.factor;
+    if (level.gathered && !whole) {
+      whole = true;
+      first_gathered_ = l;
+      c.place = part.offset;
+      block = Block<D>(Index<D>{}, level.cells);
+      gather_ = std::make_unique<Gather>(grid.parallel(), part);
+    } else {
+      block = Block<D>(part.offset, part.count);
+    }
+    c.allocate(block);
+    c.halo = Halo<D>(whole ? self : grid.comm(), block, mesh.periodic[0]);
+    for (int d = 0; d < D; ++d) {
+      c.g[d] = static_cast<float>(1.0 / (density * level.h[d] * level.h[d]));
+      coarse_open_[l][d] = Storage<float>(static_cast<std::size_t>(block.size));
+      c.open[d] = coarse_open_[l][d].data();
+    }
+  }
+  row_sum_.resize(static_cast<std::size_t>(mesh.cells[0]) + 64);
+  update();
+}
+
+template <int D>
+Multigrid<D>::~Multigrid() {
+  coarse_.clear();
+  for (auto& comm : comms_) MPI_Comm_free(&comm);
+}
+
+template <int D>
+void Multigrid<D>::update(int k0, int k1) {
+  const auto finish = [](auto& level, int a, int b) {
+    for (int k = std::max(a, 0); k < std::min(b, level.block.planes()); ++k)
+      for (int j = 0; j < level.block.rows(); ++j) finish_row(level, j, k);
+  };
+  finish(finest_, k0 - 1, k1);
+  for (std::size_t l = 0; l < coarse_.size(); ++l) {
+    auto& c = coarse_[l];
+    k0 = k0 / c.factor[D - 1];
+    k1 = (k1 + c.factor[D - 1] - 1) / c.factor[D - 1];
+    if (l == 0)
+      coarsen_open(finest_, l, k0, k1);
+    else
+      coarsen_open(coarse_[l - 1], l, k0, k1);
+    if (l == first_gathered_) {
+      k0 = 0;
+      k1 = c.block.planes();
+      for (int d = 0; d < D; ++d) gather_->all(coarse_open_[l][d].data(), c.block);
+    }
+    std::array<float*, D> arrays;
+    for (int d = 0; d < D; ++d) arrays[d] = coarse_open_[l][d].data();
+    c.halo.exchange(std::span<float* const>(arrays));
+    finish(c, k0 - 1, k1);
+  }
+}
+
+/// Open fractions of the coarse planes [K0, K1): mean of the fine faces that tile each coarse face.
+template <int D>
+template <class T>
+void Multigrid<D>::coarsen_open(const Level<D, T>& fine, std::size_t l, int K0, int K1) {
+  auto& c = coarse_[l];
+  const int fx = c.factor[0], fy = D == 3 ? c.factor[1] : 1, fz = c.factor[D - 1];
+  const int rows = fine.block.rows() / fy, width = c.block.width();
+  for (int K = K0; K < K1; ++K)
+    for (int J = 0; J < rows; ++J) {
+      const long q = c.block.row(J + (D == 3 ? c.place[1] : 0), K + c.place[D - 1]);
+      for (int d = 0; d < D; ++d) {
+        float* __restrict__ o = coarse_open_[l][d].data() + q;
+        const int across_x = d == 0 ? 1 : fx, across_y = D == 3 && d == 1 ? 1 : fy;
+        const int across_z = d == D - 1 ? 1 : fz;
+        const float weight = 1.0F / static_cast<float>(across_x * across_y * across_z);
+        std::fill_n(o, width, 0.0F);
+        for (int b = 0; b < across_z; ++b)
+          for (int a = 0; a < across_y; ++a) {
+            const float* f = fine.open[d] + fine.block.row(J * fy + a, K * fz + b);
+            for (int e = 0; e < across_x; ++e)
+              for (int i = 0; i < width; ++i) o[i] += weight * f[fx * i + e];
+          }
+      }
+    }
+}
+
+/// Mean over the children of the residual (or of the right-hand side, where the fine level starts
+/// from zero); returns the largest residual.
+template <int D>
+template <class T>
+double Multigrid<D>::restrict_plane(const Level<D, T>& fine, Level<D, float>& c, int K,
+                                    bool source) {
+  const int fx = c.factor[0], fy = D == 3 ? c.factor[1] : 1, fz = c.factor[D - 1];
+  const float weight = 1.0F / static_cast<float>(fx * fy * fz);
+  double largest = 0;
+  float* __restrict__ sum = row_sum_.data();
+  for (int J = 0; J < fine.block.rows() / fy; ++J) {
+    std::memset(sum, 0, sizeof(float) * static_cast<std::size_t>(fine.block.width()));
+    for (int b = 0; b < fz; ++b)
+      for (int a = 0; a < fy; ++a) {
+        if (source)
+          source_row(fine, J * fy + a, K * fz + b, sum);
+        else
+          largest = std::max(largest, residual_row(fine, J * fy + a, K * fz + b, sum));
+      }
+    float* __restrict__ o =
+        c.b.data() + c.block.row(J + (D == 3 ? c.place[1] : 0), K + c.place[D - 1]);
+    const int width = c.block.width();
+    if (fx == 1) {
+#pragma omp simd
+      for (int i = 0; i < width; ++i) o[i] = weight * sum[i];
+    } else {
+#pragma omp simd
+      for (int i = 0; i < width; ++i) o[i] = weight * (sum[2 * i] + sum[2 * i + 1]);
+    }
+  }
+  return largest;
+}
+
+template <int D>
+template <class T>
+void Multigrid<D>::restrict_source(const Level<D, T>& fine, std::size_t coarse) {
+  const int planes = fine.block.planes() / coarse_[coarse].factor[D - 1];
+  for (int K = 0; K < planes; ++K) restrict_plane(fine, coarse_[coarse], K, true);
+}
+
+/// Takes the coarse correction (set or add), then sweeps; with `residual` restricts what is left
+/// and returns its largest value on this rank.
+template <int D>
+template <class T>
+double Multigrid<D>::smooth(Level<D, T>& fine, std::size_t coarse, Start start, int sweeps,
+                            bool residual) {
+  auto& c = coarse_[coarse];
+  const int first = start == Start::keep ? 0 : 1;
+  const int fz = c.factor[D - 1];
+  double largest = 0;
+  const auto stage = [&](int s, int k, int j0, int j1) {
+    for (int j = j0; j < j1; ++j) {
+      if (s < first) {
+        if (start == Start::add)
+          prolong_row<true>(fine, c, j, k);
+        else
+          prolong_row<false>(fine, c, j, k);
+      } else {
+        relax_row(fine, j, k, (s - first) & 1, static_cast<T>(omega));
+      }
+      fine.halo.wrap_row(fine.x.data() + fine.block.row(j, k));
+    }
+  };
+  wavefront(
+      fine.block, fine.halo, first + 2 * sweeps, stage,
+      [&](int) { fine.halo.exchange(fine.x.data()); },
+      [&](int k) {
+        if (residual && k % fz == fz - 1)
+          largest = std::max(largest, restrict_plane(fine, c, k / fz, false));
+      });
+  return largest;
+}
+
+template <int D>
+void Multigrid<D>::gather_source(std::size_t l) {
+  if (l == first_gathered_ && gather_) gather_->all(coarse_[l].b.data(), coarse_[l].block);
+}
+
+template <int D>
+void Multigrid<D>::solve_coarsest(Level<D, float>& l) {
+  l.x.fill(0);
+  for (int s = 0; s < 2 * coarsest_sweeps; ++s) {
+    for (int k = 0; k < l.block.planes(); ++k)
+      for (int j = 0; j < l.block.rows(); ++j) relax_row(l, j, k, s & 1, static_cast<float>(omega));
+    l.halo.exchange(l.x.data());
+  }
+}
+
+/// x = approximately A^-1 b on a coarse level.
+template <int D>
+void Multigrid<D>::solve_level(std::size_t l) {
+  gather_source(l);
+  auto& level = coarse_[l];
+  if (l + 1 == coarse_.size()) return solve_coarsest(level);
+  const int visits = l + 2 < coarse_.size() ? 2 : 1;  // W-cycle
+  restrict_source(level, l + 1);
+  for (int v = 0; v < visits; ++v) {
+    solve_level(l + 1);
+    smooth(level, l + 1, v == 0 ? Start::set : Start::add, coarse_sweeps, v + 1 < visits);
+  }
+}
+
+template <int D>
+SolveReport Multigrid<D>::solve(double tolerance, int max_cycles) {
+  const auto& parallel = grid_.parallel();
+  SolveReport report;
+  finest_.halo.exchange(finest_.x.data());
+  report.residual = parallel.max(smooth(finest_, 0, Start::keep, 0, true));
+  int slow = 0;
+  while (report.residual > tolerance && report.cycles < max_cycles) {
+    solve_level(0);
+    const double before = report.residual;
+    report.residual = parallel.max(smooth(finest_, 0, Start::add, finest_sweeps, true));
+    ++report.cycles;
+    slow = report.residual > stall * before ? slow + 1 : 0;
+    if (slow == 2 && report.residual > tolerance)
+      return solve_krylov(tolerance, report, max_cycles);
+  }
+  report.converged = report.residual <= tolerance;
+  return report;
+}
+
+template <int D>
+void Multigrid<D>::apply(const double* in, double* out) {
+  finest_.x.swap(krylov_[3]);
+  std::copy_n(in, finest_.x.size(), finest_.x.data());
+  finest_.halo.exchange(finest_.x.data());
+  for (int k = 0; k < finest_.block.planes(); ++k)
+    for (int j = 0; j < finest_.block.rows(); ++j) {
+      const LevelRow<D, double> row(finest_, j, k);
+      for (int i = row.begin; i < row.end; ++i) out[row.p + i] = row.b[i] - row.residual(i);
+    }
+  finest_.x.swap(krylov_[3]);
+}
+
+template <int D>
+double Multigrid<D>::dot(const double* a, const double* b) const {
+  double sum = 0;
+  for (int k = 0; k < finest_.block.planes(); ++k)
+    for (int j = 0; j < finest_.block.rows(); ++j) {
+      const LevelRow<D, double> row(finest_, j, k);
+      for (int i = row.begin; i < row.end; ++i) sum += a[row.p + i] * b[row.p + i];
+    }
+  return grid_.parallel().sum(sum);
+}
+
+/// Flexible conjugate gradients around the cycle. The source of every closed pocket of fluid is
+/// made compatible first (its mean taken out), since no pressure can balance it.
+template <int D>
+SolveReport Multigrid<D>::solve_krylov(double tolerance, SolveReport report, int max_cycles) {
+  const auto n = finest_.x.size();
+  for (auto& a : krylov_)
+    if (a.size() == 0) a = Storage<double>(n);
+  auto& solution = krylov_[0];
+  auto& direction = krylov_[1];
+  auto& image = krylov_[2];
+  remove_component_means(grid_, finest_);
+  std::copy_n(finest_.x.data(), n, solution.data());
+  apply(solution.data(), image.data());
+  double* r = finest_.b.data();  // from here on the right-hand side of the cycle is the residual
+  for (std::size_t i = 0; i < n; ++i) r[i] -= image[static_cast<long>(i)];
+  double curvature = 0;
+  const auto largest = [&] {
+    double m = 0;
+    for (int k = 0; k < finest_.block.planes(); ++k)
+      for (int j = 0; j < finest_.block.rows(); ++j) {
+        const LevelRow<D, double> row(finest_, j, k);
+        for (int i = row.begin; i < row.end; ++i) m = std::max(m, std::abs(r[row.p + i]));
+      }
+    return grid_.parallel().max(m);
+  };
+  report.residual = largest();
+  while (report.residual > tolerance && report.cycles < max_cycles) {
+    restrict_source(finest_, 0);
+    solve_level(0);
+    smooth(finest_, 0, Start::set, finest_sweeps, false);
+    const double* z = finest_.x.data();
+    const double beta = curvature > 0 ? -dot(z, image.data()) / curvature : 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto q = static_cast<long>(i);
+      direction[q] = z[q] + beta * direction[q];
+    }
+    apply(direction.data(), image.data());
+    curvature = dot(direction.data(), image.data());
+    if (!(curvature > 0)) break;
+    const double step = dot(direction.data(), r) / curvature;
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto q = static_cast<long>(i);
+      solution[q] += step * direction[q];
+      r[q] -= step * image[q];
+    }
+    ++report.cycles;
+    report.residual = largest();
+  }
+  std::copy_n(solution.data(), n, finest_.x.data());
+  finest_.halo.exchange(finest_.x.data());
+  report.converged = report.residual <= tolerance;
+  return report;
+}
+
+template class Multigrid<2>;
+template class Multigrid<3>;
+
+}  // namespace washtub

@@ -1,0 +1,81 @@
+#pragma once
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "flow/pressure/hierarchy.hpp"
+#include "flow/pressure/level.hpp"
+
+namespace washtub {
+
+struct SolveReport {
+  int cycles = 0;
+  double residual = 0;  ///< largest |b - A p| over the live cells
+  bool converged = false;
+};
+
+/// Geometric multigrid for the pressure of a partly solid box,
+///   sum over faces of  phi (p - p_neighbour) / (rho h^2)  =  b ,
+/// with phi the open fraction of each face: closed faces carry no pressure gradient, Eq. (9) in the
+/// sharp limit. Stationary W-cycles are the solver; where pockets of fluid make them stall,
+/// flexible conjugate gradients take over with the cycle as preconditioner.
+template <int D>
+class Multigrid {
+ public:
+  /// `open[d]`: open fractions of the lower faces along axis d, ghosts included, kept by the
+  /// caller.
+  Multigrid(const Grid<D>& grid, double density, std::array<const float*, D> open);
+  ~Multigrid();
+
+  /// Takes up changed open fractions of the planes [k0, k1) of this rank (collective).
+  void update(int k0, int k1);
+  void update() { update(0, finest_.block.planes()); }
+
+  Storage<double>& pressure() { return finest_.x; }
+  const Storage<double>& pressure() const { return finest_.x; }
+  Storage<double>& source() { return finest_.b; }
+  /// Live range [begin, end) of row (j, k); outside it every cell is solid.
+  std::array<int, 2> live(int j, int k) const {
+    const auto r = static_cast<std::size_t>(finest_.block.row_index(j, k));
+    return {finest_.begin[r], finest_.end[r]};
+  }
+  const float* inverse_diagonal() const { return finest_.inverse_diagonal.data(); }
+
+  /// Improves pressure() until the residual is at most `tolerance` in every live cell.
+  /// On return the ghosts of the pressure are current.
+  SolveReport solve(double tolerance, int max_cycles);
+
+  int levels() const { return static_cast<int>(coarse_.size()) + 1; }
+
+ private:
+  enum class Start { keep, set, add };
+  struct Gather;
+
+  template <class T>
+  double smooth(Level<D, T>& fine, std::size_t coarse, Start start, int sweeps, bool residual);
+  template <class T>
+  double restrict_plane(const Level<D, T>& fine, Level<D, float>& coarse, int K, bool source);
+  template <class T>
+  void restrict_source(const Level<D, T>& fine, std::size_t coarse);
+  void solve_level(std::size_t l);
+  void solve_coarsest(Level<D, float>& l);
+  template <class T>
+  void coarsen_open(const Level<D, T>& fine, std::size_t coarse, int K0, int K1);
+  void gather_source(std::size_t l);
+  SolveReport solve_krylov(double tolerance, SolveReport report, int max_cycles);
+  void apply(const double* in, double* out);
+  double dot(const double* a, const double* b) const;
+
+  const Grid<D>& grid_;
+  Level<D, double> finest_;
+  std::vector<Level<D, float>> coarse_;
+  std::vector<std::array<Storage<float>, D>> coarse_open_;
+  std::size_t first_gathered_;
+  std::unique_ptr<Gather> gather_;
+  std::vector<float> row_sum_;
+  std::vector<MPI_Comm> comms_;
+  std::array<Storage<double>, 4> krylov_;
+};
+
+}  // namespace washtub

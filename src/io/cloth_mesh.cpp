@@ -1,0 +1,86 @@
+#include "io/cloth_mesh.hpp"
+
+namespace washtub {
+namespace {
+
+void append(std::vector<double>& to, std::span<const double> values) {
+  to.insert(to.end(), values.begin(), values.end());
+}
+
+/// The whole dataset on rank 0, nothing on the others; `width` entries per row, 0: one dimension.
+Slab on_root(bool root, std::size_t rows, std::size_t width) {
+  Slab slab{{rows}, {0}, {root ? rows : 0}};
+  if (width == 0) return slab;
+  slab.extent.push_back(width);
+  slab.offset.push_back(0);
+  slab.count.push_back(width);
+  return slab;
+}
+
+}  // namespace
+
+ClothMesh::ClothMesh(const std::vector<ClothPiece>& all, int dimension) {
+  topology.corners = dimension == 3 ? 4 : 2;
+  for (const ClothPiece& p : all) {
+    const int first = static_cast<int>(positions.size() / 3);
+    const int number = static_cast<int>(pieces.size() / 3);
+    pieces.insert(pieces.end(), {first, p.extent[0], p.extent[1]});
+    for (std::size_t i = 0; i < p.positions.size(); ++i) {
+      positions.push_back(p.positions[i]);
+      if (dimension == 2 && i % 2 == 1) positions.push_back(0);
+    }
+    if (dimension == 3)
+      add_plate(p, first, number);
+    else
+      add_thread(p, first, number);
+    append(membrane, p.membrane);
+    append(bending, p.bending);
+    append(total, p.total);
+  }
+  topology.nodes = positions.size() / 3;
+  topology.cells = piece.size();
+}
+
+void ClothMesh::add_plate(const ClothPiece& p, int first, int number) {
+  const int n = p.extent[0];
+  for (int j = 0; j + 1 < p.extent[1]; ++j)
+    for (int i = 0; i + 1 < n; ++i) {
+      const int a = first + i + n * j;
+      cells.insert(cells.end(), {a, a + 1, a + n + 1, a + n});
+      piece.push_back(number);
+    }
+}
+
+void ClothMesh::add_thread(const ClothPiece& p, int first, int number) {
+  for (int i = 0; i + 1 < p.extent[0] * p.extent[1]; ++i) {
+    cells.insert(cells.end(), {first + i, first + i + 1});
+    piece.push_back(number);
+  }
+}
+
+ClothTopology write_cloth(Hdf5File& file, const ClothMesh& mesh, const Parallel& parallel) {
+  std::array<long, 3> size = {static_cast<long>(mesh.topology.nodes),
+                              static_cast<long>(mesh.topology.cells),
+                              static_cast<long>(mesh.pieces.size() / 3)};
+  MPI_Bcast(size.data(), 3, MPI_LONG, 0, parallel.comm());
+  const auto nodes = static_cast<std::size_t>(size[0]), cells = static_cast<std::size_t>(size[1]);
+  const bool root = parallel.root();
+  const ClothTopology written{nodes, cells, mesh.topology.corners};
+  if (cells == 0) return written;
+  const auto mine = [root](const auto& values) {
+    return std::span(values.data(), root ? values.size() : 0);
+  };
+  const auto corners = static_cast<std::size_t>(written.corners);
+  file.group("cloth");
+  file.write("cloth/positions", "m", on_root(root, nodes, 3), mine(mesh.positions));
+  file.write("cloth/membrane", "Pa", on_root(root, nodes, 0), mine(mesh.membrane));
+  file.write("cloth/bending", "Pa", on_root(root, nodes, 0), mine(mesh.bending));
+  file.write("cloth/total", "Pa", on_root(root, nodes, 0), mine(mesh.total));
+  file.write("cloth/cells", "", on_root(root, cells, corners), mine(mesh.cells));
+  file.write("cloth/piece", "", on_root(root, cells, 0), mine(mesh.piece));
+  const auto pieces = static_cast<std::size_t>(size[2]);
+  file.write("cloth/pieces", "", on_root(root, pieces, 3), mine(mesh.pieces));
+  return written;
+}
+
+}  // namespace washtub

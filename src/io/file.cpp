@@ -1,0 +1,39 @@
+#include "io/file.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "base/error.hpp"
+
+namespace washtub {
+namespace {
+
+/// The error number of the failure, 0 if all went well.
+int write_whole(const std::string& path, std::string_view text) {
+  std::FILE* file = std::fopen(path.c_str(), "wb");
+  if (file == nullptr) return errno;
+  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  const int error = written ? 0 : errno;
+  if (std::fclose(file) != 0 && error == 0) return errno;
+  return error;
+}
+
+}  // namespace
+
+std::string cannot_write(const std::string& path, int error_number) {
+  return fmt::format("cannot write {}: {}", path, std::strerror(error_number));
+}
+
+void replace_file(const std::string& path, std::string_view text) {
+  const std::string temporary = path + ".part";
+  int error = write_whole(temporary, text);
+  if (error == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
+  if (error == 0) return;
+  std::remove(temporary.c_str());
+  throw RunError(cannot_write(path, error));
+}
+
+}  // namespace washtub

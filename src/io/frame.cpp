@@ -1,0 +1,160 @@
+#include "io/frame.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "base/error.hpp"
+#include "io/cloth_mesh.hpp"
+#include "io/file.hpp"
+
+namespace washtub {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string relative_path(int number) { return fmt::format("frames/frame_{:06d}.h5", number); }
+
+/// Makes the file and makes sure that `bytes` fit on the disk, since the parallel library does not
+/// survive a failed write. Returns the reason if they do not, with the file gone again.
+std::string reserve(const std::string& path, std::size_t bytes) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  if (file < 0) return cannot_write(path, errno);
+  const int error = ::posix_fallocate(file, 0, static_cast<::off_t>(bytes));
+  ::close(file);
+  if (error != ENOSPC && error != EFBIG && error != EDQUOT) return {};
+  std::remove(path.c_str());
+  return cannot_write(path, error);
+}
+
+/// Bytes of a frame's file, and some to spare for the library's own data.
+std::size_t file_size(const FluidGrid& grid, const ClothMesh& cloth) {
+  std::size_t cells = 1;
+  for (const int n : grid.cells) cells *= static_cast<std::size_t>(n);
+  const std::size_t nodes = cloth.topology.nodes * 6 * sizeof(double);
+  const std::size_t quads = (cloth.cells.size() + cloth.piece.size()) * sizeof(int);
+  return cells * 5 * sizeof(float) + nodes + quads + 65536;
+}
+
+std::vector<FrameNumber> angles(const std::vector<SolidAngle>& solids) {
+  std::vector<FrameNumber> numbers;
+  for (const SolidAngle& s : solids)
+    numbers.push_back({fmt::format("angle of {} [rad]", s.name), s.angle});
+  return numbers;
+}
+
+/// Slowest dimension first; `components` per cell, 0: scalar.
+Slab fluid_slab(const std::array<int, 3>& cells, const FluidBlock& block, hsize_t components) {
+  Slab slab;
+  for (int d = 2; d >= 0; --d) {
+    slab.extent.push_back(static_cast<hsize_t>(cells[d]));
+    slab.offset.push_back(static_cast<hsize_t>(block.offset[d]));
+    slab.count.push_back(static_cast<hsize_t>(block.count[d]));
+  }
+  if (components == 0) return slab;
+  slab.extent.push_back(components);
+  slab.offset.push_back(0);
+  slab.count.push_back(components);
+  return slab;
+}
+
+}  // namespace
+
+FrameWriter::FrameWriter(const std::string& directory, const Parallel& parallel, int dimension,
+                         const FluidGrid& grid)
+    : directory_(directory), parallel_(parallel), dimension_(dimension), grid_(grid) {
+  std::error_code error;
+  const std::string frames = directory_ + "/frames";
+  if (parallel_.root()) fs::create_directory(frames, error);
+  agree(error ? fmt::format("cannot write {}: {}", frames, error.message()) : std::string());
+}
+
+std::string FrameWriter::path(int number) const { return directory_ + "/" + relative_path(number); }
+
+/// On return no rank has a reason to stop; else all throw, with the lowest such rank's reason.
+void FrameWriter::agree(const std::string& reason) const {
+  int first = reason.empty() ? parallel_.size() : parallel_.rank();
+  MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, parallel_.comm());
+  if (first == parallel_.size()) return;
+  int length = static_cast<int>(reason.size());
+  MPI_Bcast(&length, 1, MPI_INT, first, parallel_.comm());
+  std::string text = reason;
+  text.resize(static_cast<std::size_t>(length));
+  MPI_Bcast(text.data(), length, MPI_CHAR, first, parallel_.comm());
+  throw RunError(text);
+}
+
+void FrameWriter::resume(double until) {
+  if (parallel_.root()) {
+    std::ifstream file(directory_ + "/frames.xdmf");
+    const std::istreambuf_iterator<char> begin(file), end;
+    index_.restore(std::string(begin, end), until);
+    frames_ = static_cast<int>(index_.frames());
+    std::error_code ignored;
+    for (int n = frames_; fs::remove(path(n), ignored); ++n)
+      ;
+  }
+  MPI_Bcast(&frames_, 1, MPI_INT, 0, parallel_.comm());
+}
+
+void FrameWriter::write_fluid(Hdf5File& file, const FluidBlock& fluid) const {
+  const Slab scalar = fluid_slab(grid_.cells, fluid, 0), vector = fluid_slab(grid_.cells, fluid, 3);
+  file.group("fluid");
+  file.write("fluid/velocity", "m/s", vector, fluid.velocity);
+  file.write("fluid/pressure", "Pa", scalar, fluid.pressure);
+  file.write("fluid/solid", "1", scalar, fluid.solid);
+}
+
+void FrameWriter::write(const Frame& frame) {
+  const std::string temporary = path(frames_) + ".part";
+  const ClothMesh mesh(parallel_.root() ? frame.cloth : std::vector<ClothPiece>(), dimension_);
+  agree(parallel_.root() ? reserve(temporary, file_size(grid_, mesh)) : std::string());
+  Hdf5File file(temporary, parallel_.comm());
+  file.attribute("time [s]", frame.time);
+  for (const FrameNumber& angle : angles(frame.solids)) file.attribute(angle.name, angle.value);
+  write_fluid(file, frame.fluid);
+  const ClothTopology cloth = write_cloth(file, mesh, parallel_);
+  finish(file.close(), frame, cloth);
+}
+
+/// Renames the finished file and lists it; on failure nothing of the frame is left.
+void FrameWriter::publish(const Frame& frame, const ClothTopology& cloth) {
+  const std::string target = path(frames_);
+  if (std::rename((target + ".part").c_str(), target.c_str()) != 0)
+    throw RunError(cannot_write(target, errno));
+  index_.add(frame.time, relative_path(frames_), grid_, cloth, angles(frame.solids));
+  try {
+    replace_file(directory_ + "/frames.xdmf", index_.text());
+  } catch (const RunError&) {
+    index_.drop_last();
+    std::remove(target.c_str());
+    throw;
+  }
+}
+
+/// Puts the written file in its place, or removes it if any rank failed.
+void FrameWriter::finish(const std::string& failure, const Frame& frame,
+                         const ClothTopology& cloth) {
+  const std::string target = path(frames_);
+  std::string reason = failure;
+  if (!reason.empty()) reason = fmt::format("cannot write {}: {}", target, reason);
+  if (!parallel_.any(!reason.empty()) && parallel_.root()) {
+    try {
+      publish(frame, cloth);
+    } catch (const RunError& error) {
+      reason = error.what();
+    }
+  }
+  if (parallel_.root()) std::remove((target + ".part").c_str());
+  agree(reason);
+  ++frames_;
+}
+
+}  // namespace washtub

@@ -1,0 +1,80 @@
+#pragma once
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "io/hdf5_file.hpp"
+#include "io/xdmf.hpp"
+
+namespace washtub {
+
+/// Cell-centred values of one rank's cells, x fastest. In plane cases the third offset is 0 and
+/// the third count 1.
+struct FluidBlock {
+  std::array<int, 3> offset{}, count{};  ///< cells, in the whole grid
+  std::span<const float> velocity;       ///< three components per cell, interleaved [m/s]
+  std::span<const float> pressure;       ///< [Pa]
+  std::span<const float> solid;          ///< share of the cell within solids, 0 to 1
+};
+
+/// One piece of cloth; node (i, j) has number i + extent[0] j.
+struct ClothPiece {
+  std::array<int, 2> extent{};                       ///< nodes along r and s; {1, n} for a thread
+  std::span<const double> positions;                 ///< `dimension` coordinates per node [m]
+  std::span<const double> membrane, bending, total;  ///< stress per node [Pa]
+};
+
+struct SolidAngle {
+  std::string name;
+  double angle = 0;  ///< swept since t = 0 [rad]
+};
+
+struct Frame {
+  double time = 0;                 ///< [s]
+  FluidBlock fluid;                ///< this rank's
+  std::vector<ClothPiece> cloth;   ///< all pieces, looked at on rank 0 only
+  std::vector<SolidAngle> solids;  ///< the same on all ranks
+};
+
+/// Writes the frames of a run, each to its own file frames/frame_000000.h5 under the output
+/// directory, and keeps frames.xdmf up to date, so that ParaView can open it at any time:
+///   attributes of /   "time [s]", "angle of NAME [rad]"
+///   /fluid/velocity (nz, ny, nx, 3) [m/s], pressure [Pa], solid (nz, ny, nx): 32-bit
+///   /cloth/positions (nodes, 3) [m], membrane, bending, total (nodes) [Pa]: all pieces one
+///     after the other; cells (cells, 4 or 2) node numbers; piece (cells)
+///   /cloth/pieces (pieces, 3): first node and extent of each piece
+/// Every dataset with a unit has it as the attribute "unit". No /cloth where there is no cloth.
+class FrameWriter {
+ public:
+  /// `dimension` 2 or 3. Creates the directory `frames` (collective).
+  /// @throws RunError with path and reason, on all ranks
+  FrameWriter(const std::string& directory, const Parallel& parallel, int dimension,
+              const FluidGrid& grid);
+
+  /// Goes on after an interrupted run: forgets frames later than `until` [s] (collective).
+  void resume(double until);
+
+  /// Collective. On return the frame is in place, complete, and listed in frames.xdmf.
+  /// @throws RunError with path and reason, on all ranks; then no part of the frame is left
+  void write(const Frame& frame);
+
+  int frames() const { return frames_; }  ///< written so far
+
+ private:
+  void write_fluid(Hdf5File& file, const FluidBlock& fluid) const;
+  void publish(const Frame& frame, const ClothTopology& cloth);
+  void finish(const std::string& failure, const Frame& frame, const ClothTopology& cloth);
+  void agree(const std::string& reason) const;
+  std::string path(int number) const;
+
+  std::string directory_;
+  Parallel parallel_;
+  int dimension_;
+  FluidGrid grid_;
+  FrameIndex index_;  ///< on rank 0
+  int frames_ = 0;
+};
+
+}  // namespace washtub

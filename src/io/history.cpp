@@ -1,0 +1,88 @@
+#include "io/history.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+
+#include "base/error.hpp"
+#include "io/file.hpp"
+
+namespace washtub {
+namespace {
+
+std::string header(const std::vector<Column>& columns) {
+  std::string line;
+  for (const Column& c : columns) {
+    if (!line.empty()) line += ',';
+    line += c.unit.empty() ? c.name : fmt::format("{} [{}]", c.name, c.unit);
+  }
+  return line;
+}
+
+/// The file's text without the rows beyond `until` and without an unfinished last row.
+std::string kept(const std::string& path, const std::string& expected, double until) {
+  std::ifstream file(path);
+  std::string line, text = expected + '\n';
+  if (!file) throw RunError(fmt::format("cannot read {}", path));
+  if (!std::getline(file, line) || line != expected)
+    throw RunError(
+        fmt::format("{}: header is \"{}\", expected \"{}\": the file is of another run or "
+                    "version; try a new output directory",
+                    path, line, expected));
+  while (std::getline(file, line) && !file.eof())
+    if (std::strtod(line.c_str(), nullptr) <= until) text += line + '\n';
+  return text;
+}
+
+}  // namespace
+
+History::History(const std::string& path, const std::vector<Column>& columns)
+    : path_(path), columns_(columns.size()) {
+  open(O_WRONLY | O_CREAT | O_TRUNC);
+  append(header(columns) + '\n');
+}
+
+History::History(const std::string& path, const std::vector<Column>& columns, double until)
+    : path_(path), columns_(columns.size()) {
+  replace_file(path, kept(path, header(columns), until));
+  open(O_WRONLY | O_APPEND);
+}
+
+History::Descriptor::~Descriptor() {
+  if (id >= 0) ::close(id);
+}
+
+void History::open(int flags) {
+  file_.id = ::open(path_.c_str(), flags | O_CLOEXEC, 0666);
+  if (file_.id < 0) throw RunError(cannot_write(path_, errno));
+}
+
+void History::append(const std::string& line) {
+  const ::off_t before = ::lseek(file_.id, 0, SEEK_END);
+  for (std::size_t done = 0; done < line.size();) {
+    const ::ssize_t written = ::write(file_.id, line.data() + done, line.size() - done);
+    if (written < 0) {
+      const std::string text = cannot_write(path_, errno);
+      if (done > 0 && ::ftruncate(file_.id, before) != 0)
+        throw RunError(text + " (an incomplete row remains at its end)");
+      throw RunError(text);
+    }
+    done += static_cast<std::size_t>(written);
+  }
+}
+
+void History::add(std::span<const double> row) {
+  if (row.size() != columns_)
+    throw RunError(fmt::format("{}: {} values for {} columns", path_, row.size(), columns_));
+  std::string line;
+  for (const double value : row) line += std::isnan(value) ? "," : fmt::format("{:.9g},", value);
+  line.back() = '\n';
+  append(line);
+}
+
+}  // namespace washtub

@@ -1,0 +1,36 @@
+#pragma once
+#include "solid/mapping.hpp"
+
+namespace washtub {
+
+/// Force and moment about the vertical through the solid's centre (per metre in 2-D).
+template <int D>
+struct Load {
+  Vec<D> force = Vec<D>::Zero();  ///< [N]
+  double torque = 0;              ///< [N m]
+};
+
+/// What the water does to a solid, by parts.
+template <int D>
+struct SurfaceLoads {
+  Load<D> friction;    ///< viscous stress on the staircase surface
+  Load<D> pressure;    ///< pressure on the closed faces
+  Load<D> convection;  ///< momentum carried into and out of the staircase
+
+  Load<D> total() const {
+    return {friction.force + pressure.force + convection.force,
+            friction.torque + pressure.torque + convection.torque};
+  }
+};
+
+/// Loads on one solid from the momentum that passes between open and closed faces: viscous fluxes
+/// mu (u_lower - u_upper)/h and convective ones rho u u between neighbours of different open
+/// fraction, and the pressure of the cells on both sides of each closed face (zero inside solids).
+/// These are the very terms of the discrete momentum equation, so what a solid receives the water
+/// loses; see also DomainMapping::swept. Sum over this rank only.
+template <int D>
+SurfaceLoads<D> surface_loads(const Grid<D>& grid, const DomainMapping<D>& mapping,
+                              std::size_t solid, const std::array<const double*, D>& velocity,
+                              const double* pressure, double density, double viscosity);
+
+}  // namespace washtub

@@ -1,0 +1,244 @@
+#include "solid/mapping.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace washtub {
+namespace {
+
+constexpr double rebase_after = 32;  // [rad] of travel, so that single precision keeps its digits
+
+constexpr double almost_closed = 1e-3;  // open fraction too small for a pressure gradient to act on
+
+/// Cells of the block whose faces lie within `reach` of the axis and between two heights.
+template <int D>
+CellBox<D> cells_within(const Grid<D>& grid, const Vec<D>& lower, const Vec<D>& upper) {
+  CellBox<D> box;
+  const auto& mesh = grid.mesh();
+  const auto& block = grid.block();
+  for (int d = 0; d < D; ++d) {
+    const double a = std::floor((lower[d] - mesh.lower[d]) / mesh.h[d]) - 1;
+    const double b = std::ceil((upper[d] - mesh.lower[d]) / mesh.h[d]) + 1;
+    const double n = block.count[d];
+    box.lower[d] = static_cast<int>(std::clamp(a - block.offset[d], 0.0, n));
+    box.upper[d] = static_cast<int>(std::clamp(b - block.offset[d], 0.0, n));
+  }
+  return box;
+}
+
+/// The cells a turning solid can reach, `margin` around it included.
+template <int D>
+CellBox<D> sweep(const Grid<D>& grid, const Solid& solid, double margin) {
+  const Bounds b = solid.shape.bounds();
+  const double x = std::max(std::abs(b.lower[0]), std::abs(b.upper[0]));
+  const double y = std::max(std::abs(b.lower[1]), std::abs(b.upper[1]));
+  const double reach = std::hypot(x, y) + margin;
+  Vec<D> lower, upper;
+  for (int d = 0; d < D; ++d) {
+    lower[d] = solid.centre[d] + (d < 2 ? -reach : b.lower[2] - margin);
+    upper[d] = solid.centre[d] + (d < 2 ? reach : b.upper[2] + margin);
+  }
+  return cells_within(grid, lower, upper);
+}
+
+}  // namespace
+
+template <int D>
+DomainMapping<D>::DomainMapping(const Grid<D>& grid, std::vector<Solid> solids, double gamma)
+    : grid_(grid), solids_(std::move(solids)), gamma_(gamma) {
+  const auto n = static_cast<std::size_t>(grid.block().size);
+  for (int d = 0; d < D; ++d) {
+    open_[d] = Storage<float>(n);
+    expiry_[d] = Storage<float>(n);
+    owner_[d] = Storage<std::uint8_t>(n);
+  }
+  CellBox<D> whole;
+  whole.upper = grid.block().count;
+  moving_planes_ = {grid.block().planes(), 0};
+  for (const auto& solid : solids_) {
+    reach_.push_back(solid.drive.moving() ? sweep(grid, solid, gamma) : whole);
+    if (!solid.drive.moving() || reach_.back().empty()) continue;
+    moving_planes_[0] = std::min(moving_planes_[0], reach_.back().lower[D - 1]);
+    moving_planes_[1] = std::max(moving_planes_[1], reach_.back().upper[D - 1]);
+  }
+  if (moving_planes_[0] >= moving_planes_[1]) moving_planes_ = {0, 0};
+  evaluate(whole, true);
+  swept_.clear();
+  close_sides();
+  for (auto& o : open_) grid.halo().exchange(o.data());
+}
+
+template <int D>
+std::array<const float*, D> DomainMapping<D>::open() const {
+  std::array<const float*, D> o;
+  for (int d = 0; d < D; ++d) o[d] = open_[d].data();
+  return o;
+}
+
+template <int D>
+std::pair<double, std::size_t> DomainMapping<D>::psi(const Vec<D>& x, double t) const {
+  const Vec<3> point = in_space<D>(x);
+  std::pair<double, std::size_t> largest{-1e300, 0};
+  for (std::size_t s = 0; s < solids_.size(); ++s)
+    largest = std::max(largest, {solids_[s].psi(point, t), s});
+  return largest;
+}
+
+/// 1 - H(psi), Eq. (11); the sharp function counts a face centre on the surface as fluid, the
+/// smooth one closes faces that are open by less than a thousandth.
+template <int D>
+float DomainMapping<D>::open_fraction(double psi) const {
+  if (psi > gamma_) return 0;
+  if (psi <= -gamma_) return 1;
+  const double s = psi / gamma_;
+  const double pi = std::numbers::pi;
+  const double open = 0.5 - 0.5 * (s + std::sin(pi * s) / pi);
+  return open < almost_closed ? 0.0F : static_cast<float>(open);
+}
+
+/// Looks again at the faces of a row whose guarantee has run out: psi of a turning solid changes at
+/// most by the lever arm times the angle it turns.
+template <int D>
+void DomainMapping<D>::evaluate_row(int d, int j, int k, int i0, int i1, bool all) {
+  const auto& block = grid_.block();
+  const long p = block.row(j, k);
+  float* open = open_[d].data() + p;
+  float* expiry = expiry_[d].data() + p;
+  std::uint8_t* owner = owner_[d].data() + p;
+  const auto now = static_cast<float>(travel_);
+  Index<D> cell{};
+  if constexpr (D == 3) cell[1] = j;
+  cell[D - 1] = k;
+  if (d > 0 && cell[d] == 0 && grid_.at_side(d, 0)) return;  // a side of the box, always closed
+  if (d == 0 && grid_.at_side(0, 0)) i0 = std::max(i0, 1);
+  for (int i = i0; i < i1; ++i) {
+    if (!all && expiry[i] > now) continue;
+    cell[0] = i;
+    const Vec<3> x = in_space<D>(grid_.position(cell, d));
+    double largest = -1e300, turn = 1e30;
+    for (std::size_t s = 0; s < solids_.size(); ++s) {
+      const double value = solids_[s].psi(x, time_);
+      if (value > largest) largest = value, owner[i] = static_cast<std::uint8_t>(s);
+      if (!solids_[s].drive.moving()) continue;
+      const double lever = std::hypot(x[0] - solids_[s].centre[0], x[1] - solids_[s].centre[1]);
+      turn = std::min(turn, (std::abs(value) - gamma_) / (lever + 1e-30));
+    }
+    expiry[i] = static_cast<float>(travel_ + std::clamp(0.999 * turn, 0.0, 1e6));
+    const float fresh = open_fraction(largest);
+    if (fresh == open[i]) continue;
+    swept_.push_back({d, owner[i], p + i, grid_.position(cell, d), open[i] - fresh});
+    open[i] = fresh;
+    change_.any = true;
+  }
+}
+
+template <int D>
+void DomainMapping<D>::evaluate(const CellBox<D>& box, bool all) {
+  if (box.empty()) return;
+  for (int d = 0; d < D; ++d)
+    for (int k = box.lower[D - 1]; k < box.upper[D - 1]; ++k) {
+      const int j0 = D == 3 ? box.lower[1] : 0, j1 = D == 3 ? box.upper[1] : 1;
+      for (int j = j0; j < j1; ++j) evaluate_row(d, j, k, box.lower[0], box.upper[0], all);
+    }
+}
+
+/// Faces on the sides of the box are closed; their velocity is the side's.
+template <int D>
+void DomainMapping<D>::close_sides() {
+  const auto& block = grid_.block();
+  for (int d = 0; d < D; ++d)
+    for (int side = 0; side < 2; ++side) {
+      if (!grid_.at_side(d, side)) continue;
+      const int at = side == 0 ? 0 : block.count[d];
+      Index<D> c{};
+      for (int k = 0; k < (d == D - 1 ? 1 : block.planes()); ++k)
+        for (int j = 0; j < (d == 1 || D == 2 ? 1 : block.rows()); ++j)
+          for (int i = 0; i < (d == 0 ? 1 : block.width()); ++i) {
+            c[0] = i;
+            if constexpr (D == 3) c[1] = j;
+            c[D - 1] = k;
+            c[d] = at;
+            open_[d][block.at(c)] = 0;
+          }
+    }
+}
+
+template <int D>
+typename DomainMapping<D>::Change DomainMapping<D>::update(double t) {
+  change_ = {};
+  swept_.clear();
+  for (const auto& solid : solids_) {
+    const double turned = std::abs(solid.drive.angle(t) - solid.drive.angle(time_));
+    const double bound = std::max(std::abs(solid.drive.speed(t)), solid.drive.speed(time_));
+    travel_ += std::max(turned, bound * std::abs(t - time_));
+  }
+  time_ = t;
+  const bool all = travel_ > rebase_after;
+  if (all) travel_ = 0;
+  for (std::size_t s = 0; s < solids_.size(); ++s)
+    if (solids_[s].drive.moving()) evaluate(reach_[s], all);
+  change_.any = grid_.parallel().any(change_.any);
+  if (change_.any) {
+    change_.flipped = gamma_ == 0;
+    std::array<float*, D> arrays;
+    for (int d = 0; d < D; ++d) arrays[d] = open_[d].data();
+    grid_.halo().exchange(std::span<float* const>(arrays));
+  }
+  return change_;
+}
+
+template <int D>
+std::pair<Vec<D>, double> DomainMapping<D>::swept(std::size_t solid, const std::array<Field, D>& u,
+                                                  double density) const {
+  Vec<D> impulse = Vec<D>::Zero();
+  double moment = 0;
+  const Vec<3>& centre = solids_[solid].centre;
+  for (const auto& face : swept_) {
+    if (face.solid != solid) continue;
+    const double m = density * grid_.mesh().cell_volume() * face.closed * u[face.axis][face.p];
+    impulse[face.axis] += m;
+    if (face.axis == 0) moment -= (face.x[1] - centre[1]) * m;
+    if (face.axis == 1) moment += (face.x[0] - centre[0]) * m;
+  }
+  return {impulse, moment};
+}
+
+template <int D>
+void DomainMapping<D>::set_solid_velocity(std::array<Field, D>& u, float open_at_most) const {
+  const auto& block = grid_.block();
+  for (std::size_t s = 0; s < solids_.size(); ++s) {
+    const auto& solid = solids_[s];
+    const auto& box = reach_[s];
+    if (!solid.drive.moving() || box.empty()) continue;
+    const double omega = solid.drive.speed(time_);
+    const double h = grid_.mesh().h[0];
+    for (int k = box.lower[D - 1]; k < box.upper[D - 1]; ++k) {
+      const int j0 = D == 3 ? box.lower[1] : 0, j1 = D == 3 ? box.upper[1] : 1;
+      for (int j = j0; j < j1; ++j) {
+        const long p = block.row(j, k);
+        Index<D> cell{};
+        if constexpr (D == 3) cell[1] = j;
+        cell[D - 1] = k;
+        for (int d = 0; d < D; ++d) {
+          const Vec<D> x = grid_.position(cell, d);
+          const double start = d == 0   ? -omega * (x[1] - solid.centre[1])
+                               : d == 1 ? omega * (x[0] - solid.centre[0])
+                                        : 0.0;
+          const double slope = d == 1 ? omega * h : 0.0;
+          const float* open = open_[d].data() + p;
+          const std::uint8_t* owner = owner_[d].data() + p;
+          double* v = u[d].data() + p;
+#pragma omp simd
+          for (int i = box.lower[0]; i < box.upper[0]; ++i)
+            v[i] = (open[i] <= open_at_most && owner[i] == s) ? start + slope * i : v[i];
+        }
+      }
+    }
+  }
+}
+
+template class DomainMapping<2>;
+template class DomainMapping<3>;
+
+}  // namespace washtub

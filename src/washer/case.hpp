@@ -1,0 +1,143 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/vec.hpp"
+#include "solid/drive.hpp"
+#include "solid/shape.hpp"
+
+namespace washtub {
+
+struct FluidCase {
+  double density = 1000;   ///< rho_f [kg/m^3]
+  double viscosity = 1.0;  ///< dynamic viscosity mu [Pa s]
+};
+
+enum class SideKind { no_slip, slip, moving_wall, periodic };
+
+/// Condition on one side of the box.
+struct SideCase {
+  SideKind kind = SideKind::no_slip;
+  Vec<3> velocity = Vec<3>::Zero();  ///< of a moving wall, tangential [m/s]
+};
+
+enum class Mapping { sharp, smooth };
+
+struct DomainCase {
+  Vec<3> lower = Vec<3>::Zero();  ///< lower corner of the box [m]
+  Vec<3> size = Vec<3>::Zero();   ///< edge lengths [m]; third one unused in 2-D
+  std::array<int, 3> cells = {0, 0, 1};
+  std::array<SideCase, 6> sides;     ///< x lower, x upper, y lower, ...
+  Mapping mapping = Mapping::sharp;  ///< Heaviside function of Eq. (9)
+  double mapping_width = 2;          ///< gamma of Eq. (11), in cells; smooth mapping only
+};
+
+/// A rigid solid: a shape in its body frame, placed at `centre`, turning about z through it.
+struct SolidCase {
+  std::string name;
+  Shape shape;
+  Vec<3> centre = Vec<3>::Zero();  ///< [m]
+  Drive drive = at_rest();
+};
+
+/// Elastic constants of a sheet, Eq. (14); `poisson` enters only the cross terms.
+struct MaterialCase {
+  double stretch = 0;      ///< K_e [N/m]
+  double shear = 0;        ///< K_s [N/m]
+  double bending = 0;      ///< K_b [N m]
+  double torsion = 0;      ///< K_t [N m]
+  double poisson = 0;      ///< nu
+  double excess_mass = 0;  ///< rho_s q, beyond the displaced water [kg/m^2]
+  double thickness = 0;    ///< q [m]
+};
+
+enum class Arrangement { book, random, sheet };
+
+/// A group of equal pieces of cloth.
+struct ClothCase {
+  int count = 1;
+  std::array<double, 2> size = {0, 0};  ///< edge lengths (r, s) [m]
+  std::array<int, 2> nodes = {0, 0};    ///< nodes along r and s; 0 = from `spacing`
+  double spacing = 1.7;                 ///< node spacing in lateral cells, where `nodes` is 0
+  MaterialCase material;
+  Arrangement arrangement = Arrangement::book;
+  std::uint64_t seed = 1;
+  /// book: pages in planes through the axis (reference.md, start of the 3-D wash)
+  double inner_radius = 0;  ///< radial position of the inner edge [m]
+  double bottom = 0;        ///< height of the lower edge [m]
+  double shift = 0;         ///< standard deviation of the random shift [m]
+  double tilt = 0;          ///< standard deviation of the random tilt [rad]
+  double clearance = 0;     ///< smallest distance to solids, surface and other pieces [m]
+  /// sheet: one flat piece (count is 1) spanned from `origin` along two directions
+  Vec<3> origin = Vec<3>::Zero();  ///< [m]
+  std::array<Vec<3>, 2> along = {Vec<3>::UnitX(), Vec<3>::UnitY()};
+};
+
+enum class CouplingScheme { implicit, explicit_euler };
+enum class KernelName { cosine, roma3, peskin4 };
+
+struct CouplingCase {
+  CouplingScheme scheme = CouplingScheme::implicit;
+  KernelName kernel = KernelName::cosine;
+  bool contact = true;         ///< repulsion between pieces closer than `contact_range`
+  double contact_range = 1.2;  ///< in lateral cells
+};
+
+struct TimeCase {
+  double end = 0;      ///< [s]
+  double cfl = 0.3;    ///< advective limit
+  double step = 0;     ///< upper bound of the time step [s]; 0 = none
+  bool fixed = false;  ///< take `step` as it is, whatever the CFL number
+};
+
+struct SolverCase {
+  double divergence = 1e-4;  ///< stop when |div u| h/U is below this in every fluid cell
+  int max_cycles = 60;
+};
+
+struct OutputCase {
+  double every = 0;         ///< sample interval of history.csv [s]
+  double frames = 0;        ///< interval of frames [s]; 0 = none
+  double window_begin = 0;  ///< start of the statistics [s]
+  double window_end = 0;    ///< end of the statistics [s]
+};
+
+/// Scales of the dimensionless groups, Eqs. (17)-(19).
+struct ScaleCase {
+  double length = 0;  ///< r_o [m]
+  double speed = 0;   ///< omega_max [rad/s]
+  double height = 0;  ///< H [m]; 1 in 2-D
+  double period = 0;  ///< of the drive [s]; 0 = none
+};
+
+/// All that a simulation needs, in SI units, valid and complete.
+struct Case {
+  std::string title;
+  int dimension = 3;
+  FluidCase fluid;
+  DomainCase domain;
+  std::vector<SolidCase> solids;
+  std::vector<ClothCase> cloth;
+  CouplingCase coupling;
+  TimeCase time;
+  SolverCase solver;
+  OutputCase output;
+  ScaleCase scale;
+  std::string resolved;  ///< the case as TOML with explicit units, defaults filled in
+};
+
+/// Nodes along r and s: as given, or from `spacing` in lateral cells.
+std::array<int, 2> cloth_nodes(const ClothCase& cloth, const Case& whole);
+
+/// Reads, completes and validates a case file.
+/// `settings` are "key=value" overrides as given by `--set`.
+/// @throws InputError with file, line, key, allowed values and nearest known name.
+Case read_case(const std::string& path, const std::vector<std::string>& settings = {});
+
+/// The input reference, one line per key, in Markdown, from the same declarations.
+std::string input_reference();
+
+}  // namespace washtub

@@ -1,0 +1,87 @@
+#include "washer/case_tables.hpp"
+
+namespace washtub {
+namespace {
+
+/// Lets a pair of numbers be read and written as one value.
+struct Window {
+  double& begin;
+  double& end;
+  void operator=(const std::array<double, 2>& value) {
+    begin = value[0];
+    end = value[1];
+  }
+  operator std::array<double, 2>() const { return {begin, end}; }
+};
+
+Window window(OutputCase& output) { return {output.window_begin, output.window_end}; }
+
+}  // namespace
+
+Table<CouplingCase> coupling_table() {
+  Table<CouplingCase> table("How cloth and water act on each other.");
+  table
+      .key("scheme", &CouplingCase::scheme,
+           choice<CouplingScheme>({{"implicit", CouplingScheme::implicit},
+                                   {"explicit", CouplingScheme::explicit_euler}}),
+           "implicit cloth with entrained mass, or the paper's explicit forward Euler")
+      .key("kernel", &CouplingCase::kernel,
+           choice<KernelName>({{"cosine", KernelName::cosine},
+                               {"roma3", KernelName::roma3},
+                               {"peskin4", KernelName::peskin4}}),
+           "smoothed delta function")
+      .key("contact", &CouplingCase::contact, boolean(), "repulsion between pieces that come close")
+      .key("contact_range", &CouplingCase::contact_range, number(between(0.1, 4)),
+           "how close, in lateral cells");
+  return table;
+}
+
+Table<TimeCase> time_table() {
+  Table<TimeCase> table("Time control. The step follows the CFL number, below an upper bound.");
+  table.key("end", &TimeCase::end, quantity(measure::time, above(0)), "end of the run")
+      .required()
+      .key("cfl", &TimeCase::cfl, number({.least = 0, .most = 0.5, .least_excluded = true}),
+           "largest advective CFL number")
+      .key("step", &TimeCase::step, quantity(measure::time, above(0)),
+           "upper bound of the time step")
+      .omitted([](const TimeCase& time, int) { return time.step == 0; })
+      .fallback("5e-3 / fastest drive [rad/s]; none without a drive")
+      .key("fixed", &TimeCase::fixed, boolean(), "take `step` as it is, whatever the CFL number");
+  return table;
+}
+
+Table<SolverCase> solver_table() {
+  Table<SolverCase> table("The pressure solver.");
+  table
+      .key("divergence", &SolverCase::divergence, number({.least = 1e-14, .most = 1e-1}),
+           "stop when |div u| h/U is below this in every cell of water")
+      .key("max_cycles", &SolverCase::max_cycles, integer(between(1, 1000)),
+           "most multigrid cycles in a step");
+  return table;
+}
+
+Table<OutputCase> output_table() {
+  Table<OutputCase> table("What is written, and when.");
+  table
+      .key("every", &OutputCase::every, quantity(measure::time, above(0)),
+           "interval of the rows of history.csv")
+      .fallback("1/200 of the drive's period, or of the run")
+      .key("frames", &OutputCase::frames, quantity(measure::time, at_least(0)),
+           "interval of the frames; 0 s for none")
+      .key("window", window, interval(measure::time, at_least(0)), "statistics are taken in it")
+      .fallback("the whole run");
+  return table;
+}
+
+Table<ScaleCase> scale_table() {
+  Table<ScaleCase> table("Scales of the dimensionless groups, Eqs. (17)-(19).");
+  table.key("length", &ScaleCase::length, quantity(measure::length, above(0)), "r_o")
+      .fallback("tub radius, or half the box's x size")
+      .key("speed", &ScaleCase::speed, quantity(measure::angular_speed, above(0)), "omega_max")
+      .fallback("fastest drive or wall, or 1 rad/s")
+      .key("height", &ScaleCase::height, quantity(measure::length, above(0)), "H")
+      .fallback("water depth, or the box's z size; 1 m in 2-D");
+  return table;
+}
+
+}  // namespace washtub

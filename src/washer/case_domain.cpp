@@ -1,0 +1,70 @@
+#include "washer/case_tables.hpp"
+
+namespace washtub {
+namespace {
+
+constexpr std::array<const char*, 6> side_names = {"x_lower", "x_upper", "y_lower",
+                                                   "y_upper", "z_lower", "z_upper"};
+
+Format<SideKind> side_format() {
+  return choice<SideKind>({{"no-slip", SideKind::no_slip},
+                           {"slip", SideKind::slip},
+                           {"periodic", SideKind::periodic},
+                           {"moving-wall", SideKind::moving_wall}});
+}
+
+/// Keys of one side: its kind, and the velocity of a moving wall.
+void add_side(Table<DomainCase>& table, size_t side) {
+  const std::string name = side_names[side];
+  auto exists = [side](const DomainCase&, int dimension) { return side < 4 || dimension == 3; };
+  auto moves = [=](const DomainCase& domain, int dimension) {
+    return exists(domain, dimension) && domain.sides[side].kind == SideKind::moving_wall;
+  };
+  table.key(
+      name, [side](DomainCase& domain) -> SideKind& { return domain.sides[side].kind; },
+      side_format(), "condition on that side; periodic sides come in pairs");
+  if (side >= 4) table.only("in 3-D", exists);
+  table
+      .key(
+          name + "_velocity",
+          [side](DomainCase& domain) -> Vec<3>& { return domain.sides[side].velocity; },
+          vector(measure::speed), "of the wall, along itself")
+      .only("for a moving wall", moves)
+      .required();
+}
+
+Table<DomainCase> sides_table() {
+  Table<DomainCase> table("Conditions on the sides of the box.");
+  for (size_t side = 0; side < side_names.size(); ++side) add_side(table, side);
+  return table;
+}
+
+}  // namespace
+
+Table<FluidCase> fluid_table() {
+  Table<FluidCase> table("The water.");
+  table.key("density", &FluidCase::density, quantity(measure::density, above(0)), "density, rho")
+      .key("viscosity", &FluidCase::viscosity, quantity(measure::viscosity, above(0)),
+           "dynamic viscosity, mu");
+  return table;
+}
+
+Table<DomainCase> domain_table() {
+  Table<DomainCase> table("The box of water and its grid.");
+  table.key("lower", &DomainCase::lower, vector(measure::length), "lower corner of the box")
+      .key("size", &DomainCase::size, vector(measure::length, above(0)), "edge lengths of the box")
+      .required([](const DomainCase& domain, int) { return domain.size.x() == 0; })
+      .fallback("required without `[washer]`")
+      .key("cells", &DomainCase::cells, counts(between(8, 8192)), "number of cells")
+      .required()
+      .key("mapping", &DomainCase::mapping,
+           choice<Mapping>({{"sharp", Mapping::sharp}, {"smooth", Mapping::smooth}}),
+           "how solids act on the water: Heaviside function of Eq. (9)")
+      .key("mapping_width", &DomainCase::mapping_width, number(above(0)),
+           "half width of the smooth mapping in cells, gamma of Eq. (11)")
+      .table(
+          "sides", [](DomainCase& domain) -> DomainCase& { return domain; }, sides_table());
+  return table;
+}
+
+}  // namespace washtub
