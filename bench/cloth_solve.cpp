@@ -77,5 +77,3 @@ BENCHMARK(threads)->ArgsProduct({{16, 48}, {10, 1000}})->Unit(benchmark::kMicros
 
 }  // namespace
 }  // namespace washtub
-
-BENCHMARK_MAIN();

@@ -2,6 +2,7 @@
 add_library(washtub_compiler INTERFACE)
 target_compile_options(washtub_compiler INTERFACE
   -Wall -Wextra -Wconversion -Wno-sign-conversion -Werror
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
   -fopenmp-simd -fno-math-errno -fno-trapping-math -fno-signed-zeros)
 if(WASHTUB_NATIVE)
   target_compile_options(washtub_compiler INTERFACE -march=native)

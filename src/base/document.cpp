@@ -26,9 +26,9 @@ Node::Members convert_table(const toml::table& from, const std::string& file,
                             const std::string& key) {
   Node::Members members;
   for (const auto& [name, child] : from)
-    members.emplace_back(std::string(name.str()), convert(child, file, join(key, name.str())));
+    members.push_back({std::string(name.str()), convert(child, file, join(key, name.str()))});
   std::stable_sort(members.begin(), members.end(), [&](const auto& a, const auto& b) {
-    return from.get(a.first)->source().begin.line < from.get(b.first)->source().begin.line;
+    return from.get(a.name)->source().begin.line < from.get(b.name)->source().begin.line;
   });
   return members;
 }
@@ -115,7 +115,7 @@ void set_member(Node& table, const std::string& name, Node value) {
   if (Node* old = table.find(name)) {
     *old = std::move(value);
   } else {
-    table.members().emplace_back(name, std::move(value));
+    table.members().push_back({name, std::move(value)});
   }
 }
 
@@ -126,8 +126,8 @@ Node empty_table(const std::string& key) { return {Node::Members{}, "--set", key
 const Node* Node::find(const std::string& name) const {
   if (!is_table()) return nullptr;
   const auto hit = std::find_if(members().begin(), members().end(),
-                                [&](const auto& member) { return member.first == name; });
-  return hit == members().end() ? nullptr : &hit->second;
+                                [&](const auto& member) { return member.name == name; });
+  return hit == members().end() ? nullptr : &hit->node;
 }
 
 Node* Node::find(const std::string& name) {

@@ -1,7 +1,6 @@
 #pragma once
 #include <cstdint>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -11,8 +10,9 @@ namespace washtub {
 
 /// One value of a case file, knowing where it was written.
 struct Node {
+  struct Member;
   using List = std::vector<Node>;
-  using Members = std::vector<std::pair<std::string, Node>>;  ///< in order of appearance
+  using Members = std::vector<Member>;  ///< in order of appearance
   std::variant<std::monostate, bool, std::int64_t, double, std::string, List, Members> value;
   std::string where;  ///< "wash3d.toml:41", or "--set"
   std::string key;    ///< dotted name; entries of lists as in "cloth[2].count"
@@ -25,6 +25,11 @@ struct Node {
   List& list() { return std::get<List>(value); }
   const Node* find(const std::string& name) const;  ///< member of a table; null where absent
   Node* find(const std::string& name);
+};
+
+struct Node::Member {
+  std::string name;
+  Node node;
 };
 
 /// Reads a TOML file into a table. @throws InputError with line and reason.

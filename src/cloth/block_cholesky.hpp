@@ -10,6 +10,7 @@ namespace washtub {
 /// Pieces solved side by side: the width of a vector register of doubles.
 inline constexpr int lanes = 8;
 
+/// Numbers of several pieces side by side, aligned for vector registers.
 template <class T>
 using LaneVector = std::vector<T, Eigen::aligned_allocator<T>>;
 
@@ -27,7 +28,7 @@ class BlockCholesky {
                 const std::vector<int>& absent);
 
   int blocks() const { return static_cast<int>(row_.size()); }  ///< in L
-  std::size_t products() const { return target_.size(); }       ///< block products in a factorising
+  std::size_t products() const { return target_.size(); }       ///< of blocks, in `factorise`
   int position(int node) const { return position_[node]; }      ///< in the order, -1 if absent
 
   /// Where block (x, y) of A goes in `data()`; index -1 if x or y is absent.
@@ -35,7 +36,8 @@ class BlockCholesky {
   /// Blocks [index][row][column][lane]: A before `factorise`, L after it.
   double* data() { return values_.data(); }
 
-  /// On return the blocks hold L. A lane that is not positive definite becomes NaN.
+  /// On return the blocks hold L, with its diagonal blocks inverted. A lane that is not positive
+  /// definite becomes NaN.
   void factorise();
   /// On return x = A^-1 x, where x is [position][component][lane].
   void solve(double* x) const;

@@ -163,7 +163,7 @@ void ClothSolver<D>::factorise(const PerLane& floor) {
 }
 
 /// On return `step_` is minus the last factor's inverse times the gradient at X, zero in lanes that
-/// are not active, and `size_` its largest component; not a number if one is not.
+/// are not active, and `size_` its largest component, or not a number if one is not.
 template <int D>
 void ClothSolver<D>::find_step() {
   for (std::size_t i = 0; i < X_.size(); ++i) step_[i] = -k_[i] * (X_[i] - Z_[i]);

@@ -28,7 +28,8 @@ class ClothSolver {
   };
 
   /// @param pinned     nodes that stay at their target
-  /// @param tolerance  stop when no component of a step exceeds it, in node spacings
+  /// @param tolerance  stop when no component of a step exceeds it, in node spacings; Y depends to
+  ///                   that extent on which pieces share a batch
   explicit ClothSolver(Sheet<D> sheet, const std::vector<int>& pinned = {},
                        double tolerance = D == 3 ? 1e-6 : 1e-7);
 
@@ -46,9 +47,10 @@ class ClothSolver {
 
  private:
   using PerLane = std::array<double, lanes>;
-  using Field = LaneVector<double>;  ///< [node][component][lane]
-  static constexpr int max_steps = 60;
-  static constexpr double reuse = 0.2, shortest = 1e-3;
+  using Field = LaneVector<double>;         ///< [node][component][lane]
+  static constexpr int max_steps = 60;      ///< then a piece has failed
+  static constexpr double reuse = 0.2;      ///< see above
+  static constexpr double shortest = 1e-3;  ///< fraction of a step, below which a piece failed
 
   int piece(std::span<const int> pieces, int lane) const;
   void load(std::span<const int> pieces, std::span<const Vec<D>> stiffness,

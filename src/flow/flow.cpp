@@ -205,6 +205,27 @@ void Flow<D>::predict(double dt) {
       [](int) {});
 }
 
+template <int D>
+void Flow<D>::provisional(double dt, Components& out) const {
+  const auto& block = grid_.block();
+  for (int k = 0; k < block.planes(); ++k)
+    for (int j = 0; j < block.rows(); ++j) {
+      const auto [begin, end] = multigrid_.live(j, k);
+      const long r = block.row(j, k);
+      const double* p = multigrid_.pressure().data() + r;
+      for (int d = 0; d < D; ++d) {
+        const double *u = u_[d].data() + r, *f = f_[d].data() + r;
+        const float* open = openings_.open[d] + r;
+        double* __restrict__ o = out[d].data() + r;
+        const long s = d == 0 ? 1 : block.stride[d];
+        const double a = dt / density_, per_h = 1 / grid_.mesh().h[d];
+#pragma omp simd
+        for (int i = begin; i < end; ++i)
+          o[i] = u[i] + a * open[i] * (f[i] - per_h * (p[i] - p[i - s]));
+      }
+    }
+}
+
 /// u -= dt/rho grad p on the faces of a row, with the largest speeds and the kinetic energy.
 template <int D>
 void Flow<D>::correct_row(int j, int k, double dt, Report& report) {

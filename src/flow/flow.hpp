@@ -46,6 +46,10 @@ class Flow {
   /// and u* = u_o on closed faces. The step may change from call to call.
   void predict(double dt);
 
+  /// Writes u* + dt/rho (f - grad p) with the force and pressure of the step before into `out`:
+  /// what the velocity would become if neither changed. Faces of this rank only.
+  void provisional(double dt, Components& out) const;
+
   struct Report {
     SolveReport pressure;
     double divergence = 0;  ///< bound of |div u| h / U after the projection

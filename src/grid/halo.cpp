@@ -22,10 +22,11 @@ Slab<D> slab(const Block<D>& b, int axis) {
   return {1, static_cast<int>(b.stride[D - 1]), 0};
 }
 
-/// Memory position where the layer `c` of `axis` starts.
+/// Memory position where the layer `c` of `axis` starts: in the middle of the padding between two
+/// rows, so that the ghosts at both ends of every row belong to the layer.
 template <int D>
 long layer(const Block<D>& b, int axis, int c) {
-  return b.stride[axis] * (c + 1);
+  return Block<D>::pad / 2 + b.stride[axis] * (c + 1);
 }
 
 }  // namespace

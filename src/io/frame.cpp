@@ -22,15 +22,17 @@ namespace fs = std::filesystem;
 
 std::string relative_path(int number) { return fmt::format("frames/frame_{:06d}.h5", number); }
 
-/// Makes the file and makes sure that `bytes` fit on the disk, since the parallel library does not
-/// survive a failed write. Returns the reason if they do not, with the file gone again.
+/// Makes the file's temporary and makes sure that `bytes` fit on the disk, since the parallel
+/// library does not survive a failed write. Returns the reason if they do not, with the temporary
+/// gone again.
 std::string reserve(const std::string& path, std::size_t bytes) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  const std::string temporary = path + ".part";
+  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
   if (file < 0) return cannot_write(path, errno);
   const int error = ::posix_fallocate(file, 0, static_cast<::off_t>(bytes));
   ::close(file);
   if (error != ENOSPC && error != EFBIG && error != EDQUOT) return {};
-  std::remove(path.c_str());
+  std::remove(temporary.c_str());
   return cannot_write(path, error);
 }
 
@@ -113,10 +115,10 @@ void FrameWriter::write_fluid(Hdf5File& file, const FluidBlock& fluid) const {
 }
 
 void FrameWriter::write(const Frame& frame) {
-  const std::string temporary = path(frames_) + ".part";
+  const std::string target = path(frames_);
   const ClothMesh mesh(parallel_.root() ? frame.cloth : std::vector<ClothPiece>(), dimension_);
-  agree(parallel_.root() ? reserve(temporary, file_size(grid_, mesh)) : std::string());
-  Hdf5File file(temporary, parallel_.comm());
+  agree(parallel_.root() ? reserve(target, file_size(grid_, mesh)) : std::string());
+  Hdf5File file(target + ".part", parallel_.comm());
   file.attribute("time [s]", frame.time);
   for (const FrameNumber& angle : angles(frame.solids)) file.attribute(angle.name, angle.value);
   write_fluid(file, frame.fluid);

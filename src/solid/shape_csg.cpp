@@ -91,9 +91,10 @@ struct Translation final : Shape::Node {
 };
 
 struct RotationZ final : Shape::Node {
-  RotationZ(const Shape& s, double angle) : shape(s), c(std::cos(angle)), s_(std::sin(angle)) {}
+  RotationZ(const Shape& s, double angle)
+      : shape(s), cos_(std::cos(angle)), sin_(std::sin(angle)) {}
   double psi(const Vec<3>& x) const override {
-    return shape.psi({c * x[0] + s_ * x[1], c * x[1] - s_ * x[0], x[2]});
+    return shape.psi({cos_ * x[0] + sin_ * x[1], cos_ * x[1] - sin_ * x[0], x[2]});
   }
   Bounds bounds() const override {
     const Bounds b = shape.bounds();
@@ -103,7 +104,7 @@ struct RotationZ final : Shape::Node {
       for (const double y : {b.lower[1], b.upper[1]}) {
         if (!std::isfinite(x) || !std::isfinite(y))
           return {{-infinity, -infinity, b.lower[2]}, {infinity, infinity, b.upper[2]}};
-        const Vec<3> corner(c * x - s_ * y, s_ * x + c * y, b.lower[2]);
+        const Vec<3> corner(cos_ * x - sin_ * y, sin_ * x + cos_ * y, b.lower[2]);
         turned.lower.head<2>() = turned.lower.head<2>().cwiseMin(corner.head<2>());
         turned.upper.head<2>() = turned.upper.head<2>().cwiseMax(corner.head<2>());
       }
@@ -111,7 +112,7 @@ struct RotationZ final : Shape::Node {
   }
   bool exact_outside() const override { return shape.exact_outside(); }
   Shape shape;
-  double c, s_;
+  double cos_, sin_;
 };
 
 }  // namespace

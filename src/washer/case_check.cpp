@@ -82,7 +82,7 @@ struct Room {
 
 Room room_of(const CaseFile& file, const ClothCase& cloth) {
   const Vec<3>& box = file.result.domain.size;
-  const double widest = box.head(file.result.dimension).maxCoeff();
+  const double widest = box.maxCoeff();
   if (!file.washer) return {{widest, widest}, "the box"};
   const WasherSpec& washer = *file.washer;
   if (cloth.arrangement == Arrangement::book)

@@ -180,7 +180,8 @@ TEST(Frame, FullDiskIsReportedAndLeavesNothing) {
   {
     const FullDisk full(1000);
     EXPECT_THAT([&] { w.writer.write(sample.frame); },
-                ::testing::ThrowsMessage<RunError>(HasSubstr("cannot write " + w.dir.path())));
+                ::testing::ThrowsMessage<RunError>(
+                    HasSubstr("cannot write " + w.file("frame_000003.h5:"))));
   }
   EXPECT_FALSE(std::filesystem::exists(w.file("frame_000003.h5.part")));
   EXPECT_FALSE(std::filesystem::exists(w.file("frame_000003.h5")));

@@ -2,9 +2,8 @@
 #include <limits>
 #include <numbers>
 
-#include "flow/flow.hpp"
 #include "solid/agitator.hpp"
-#include "solid/mapping.hpp"
+#include "support/water_box.hpp"
 
 namespace washtub::testing {
 
@@ -37,32 +36,15 @@ inline std::array<std::array<Side<3>, 2>, 3> wash_sides() {
   return sides;
 }
 
-template <int D>
-Openings<D> openings(const DomainMapping<D>& mapping) {
-  return {mapping.open(), mapping.smooth()};
-}
-
 /// Water alone in the reference tub.
-struct WashTub {
-  Grid<3> grid;
-  DomainMapping<3> mapping;
-  Flow<3> flow;
-  double t = 0;
-
-  WashTub(int n, double viscosity, bool agitator = true)
-      : grid(wash_mesh(n), Parallel(), granularity(wash_mesh(n))),
-        mapping(grid, wash_solids(agitator), 0),
-        flow(grid, 1000, viscosity, wash_sides(), openings(mapping)) {}
-
-  Flow<3>::Report step(double dt, double tolerance = 1e-4) {
-    t += dt;
-    const auto change = mapping.update(t);
-    const auto [k0, k1] = mapping.moving_planes();
-    if (change.any) flow.openings_changed(k0, k1, change.flipped);
-    mapping.impose(flow.velocity());
-    flow.predict(dt);
-    return flow.project(dt, tolerance, 60);
-  }
+struct WashTub : WaterBox<3> {
+  WashTub(int n, double viscosity, bool agitator = true, const Parallel& parallel = Parallel())
+      : WaterBox<3>({.mesh = wash_mesh(n),
+                     .solids = wash_solids(agitator),
+                     .density = 1000,
+                     .viscosity = viscosity,
+                     .sides = wash_sides()},
+                    parallel) {}
 };
 
 }  // namespace washtub::testing

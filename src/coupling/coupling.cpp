@@ -1,0 +1,169 @@
+#include "coupling/coupling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/error.hpp"
+
+namespace washtub {
+namespace {
+
+// Tight enough that the result does not depend on which pieces are solved side by side.
+constexpr double solve_tolerance = 1e-10;  // in node spacings
+constexpr double light = 0.1;  // excess mass per ghost mass up to which inertia may lag a step
+
+}  // namespace
+
+template <int D>
+Coupling<D>::Coupling(Flow<D>& flow, Cloth<D>& cloth, const DomainMapping<D>& mapping,
+                      Kernel kernel, const typename ImmersedBoundary<D>::Reflections& sides,
+                      Scheme scheme)
+    : flow_(flow),
+      cloth_(cloth),
+      scheme_(scheme),
+      boundary_(flow.grid(), cloth, kernel, sides),
+      barrier_(flow.grid(), mapping, cloth.nodes()) {
+  const auto& parallel = flow.grid().parallel();
+  for (const auto& g : cloth.groups) {
+    solvers_.push_back(std::make_unique<ClothSolver<D>>(g.sheet, g.pinned, solve_tolerance));
+    auto& mine = mine_.emplace_back();
+    for (int p = 0; p < g.pieces; ++p) {
+      if ((g.first_piece + p) % parallel.size() == parallel.rank()) mine.push_back(p);
+      for (const double area : g.sheet.area) excess_.push_back(g.sheet.material.excess_mass * area);
+    }
+  }
+  for (auto& f : provisional_) f = flow.grid().make_field();
+  for (auto* n : {&next_, &middle_, &target_, &stiffness_, &mobility_, &carried_, &water_, &force_})
+    n->resize(cloth.position.size(), Vec<D>::Zero());
+}
+
+/// Inertia of the mass beyond that of the displaced water, from the last two steps.
+template <int D>
+void Coupling<D>::find_inertia() {
+  for (std::size_t i = 0; i < carried_.size(); ++i)
+    carried_[i] =
+        last_step_ > 0
+            ? Vec<D>(-excess_[i] / last_step_ * (cloth_.velocity[i] - cloth_.velocity_before[i]))
+            : Vec<D>(Vec<D>::Zero());
+}
+
+template <int D>
+void Coupling<D>::find_elastic(const Nodes& X) {
+  for (const auto& g : cloth_.groups)
+    for (int p = 0; p < g.pieces; ++p) {
+      const auto first = static_cast<std::size_t>(g.node(p, 0));
+      const auto n = static_cast<std::size_t>(g.sheet.nodes());
+      g.sheet.force(std::span(X).subspan(first, n), std::span(cloth_.elastic).subspan(first, n));
+    }
+}
+
+/// Every rank gets the values of the pieces that the others solved.
+template <int D>
+void Coupling<D>::share_among_ranks(Nodes& values, std::size_t g) const {
+  const auto& parallel = flow_.grid().parallel();
+  if (parallel.size() == 1) return;
+  const auto& group = cloth_.groups[g];
+  for (int p = 0; p < group.pieces; ++p)
+    if ((group.first_piece + p) % parallel.size() != parallel.rank())
+      std::fill_n(values.begin() + group.node(p, 0), group.sheet.nodes(), Vec<D>::Zero());
+  parallel.sum(std::span<double>(values[static_cast<std::size_t>(group.first_node)].data(),
+                                 static_cast<std::size_t>(group.nodes()) * D));
+}
+
+template <int D>
+void Coupling<D>::solve_group(std::size_t g) {
+  const auto& group = cloth_.groups[g];
+  const auto first = static_cast<std::size_t>(group.first_node);
+  const auto n = static_cast<std::size_t>(group.nodes());
+  const auto report = solvers_[g]->solve(
+      mine_[g], std::span<const Vec<D>>(stiffness_).subspan(first, n),
+      std::span<const Vec<D>>(target_).subspan(first, n), std::span(next_).subspan(first, n));
+  const auto& parallel = flow_.grid().parallel();
+  const double failed = parallel.max(report.failed >= 0 ? group.first_piece + report.failed : -1);
+  if (failed >= 0)
+    throw RunError("cloth " + std::to_string(static_cast<int>(failed)) +
+                   ": the implicit solve did not converge; try a smaller time.step or time.cfl");
+  report_.iterations =
+      std::max(report_.iterations, static_cast<int>(parallel.max(report.iterations)));
+  report_.largest_strain = std::max(report_.largest_strain, parallel.max(report.largest_strain));
+  share_among_ranks(next_, g);
+}
+
+/// Y = argmin sum m_i/(2 dt^2) |Y - Z|^2 + W(Y), with the inertia of heavy cloth inside.
+template <int D>
+void Coupling<D>::solve(double dt) {
+  flow_.provisional(dt, provisional_);
+  boundary_.mobility(flow_.openings(), flow_.density(), mobility_);
+  boundary_.interpolate(provisional_, water_);
+  for (std::size_t i = 0; i < target_.size(); ++i) {
+    const Vec<D>& x = cloth_.position[i];
+    for (int c = 0; c < D; ++c) {
+      const double m = 1 / mobility_[i][c];
+      const double free = x[c] + dt * water_[i][c];
+      const bool heavy = excess_[i] > light * m;
+      if (heavy) carried_[i][c] = 0;
+      const double push = dt * dt / m * (carried_[i][c] - force_[i][c]);
+      const double extra = heavy ? excess_[i] : 0;
+      stiffness_[i][c] = (m + extra) / (dt * dt);
+      target_[i][c] =
+          (m * (free + push) + extra * (x[c] + dt * cloth_.velocity[i][c])) / (m + extra);
+    }
+  }
+  for (std::size_t g = 0; g < cloth_.groups.size(); ++g) solve_group(g);
+  find_elastic(next_);
+  for (std::size_t i = 0; i < target_.size(); ++i)
+    for (int c = 0; c < D; ++c)
+      if (excess_[i] * mobility_[i][c] > light)
+        carried_[i][c] = -excess_[i] / (dt * dt) *
+                         (next_[i][c] - cloth_.position[i][c] - dt * cloth_.velocity[i][c]);
+}
+
+template <int D>
+void Coupling<D>::push(double dt) {
+  report_ = {};
+  find_inertia();
+  const double ahead = scheme_ == Scheme::implicit ? 0.5 * dt : 0;
+  for (std::size_t i = 0; i < middle_.size(); ++i)
+    middle_[i] = cloth_.position[i] + ahead * cloth_.velocity[i];
+  boundary_.place(middle_);
+  if (scheme_ == Scheme::implicit)
+    solve(dt);
+  else
+    find_elastic(cloth_.position);
+  for (std::size_t i = 0; i < force_.size(); ++i) force_[i] = cloth_.elastic[i] + carried_[i];
+  for (auto& f : flow_.force()) f.fill(0);
+  boundary_.spread(force_, flow_.force());
+}
+
+template <int D>
+typename Coupling<D>::Report Coupling<D>::move(double dt) {
+  boundary_.interpolate(flow_.velocity(), water_);
+  if (scheme_ == Scheme::explicit_euler) {
+    for (std::size_t i = 0; i < next_.size(); ++i) next_[i] = cloth_.position[i] + dt * water_[i];
+    for (const auto& g : cloth_.groups)
+      for (int p = 0; p < g.pieces; ++p)
+        report_.largest_strain = std::max(
+            report_.largest_strain, g.sheet.largest_strain(std::span<const Vec<D>>(next_).subspan(
+                                        static_cast<std::size_t>(g.node(p, 0)),
+                                        static_cast<std::size_t>(g.sheet.nodes()))));
+  }
+  cloth_.velocity_before = cloth_.velocity;
+  double squares = 0;
+  for (std::size_t i = 0; i < next_.size(); ++i) {
+    cloth_.velocity[i] = (next_[i] - cloth_.position[i]) / dt;
+    cloth_.position[i] = next_[i];
+    const double slip = (cloth_.velocity[i] - water_[i]).norm();
+    squares += slip * slip;
+    report_.largest_slip = std::max(report_.largest_slip, slip);
+  }
+  report_.slip = std::sqrt(squares / static_cast<double>(next_.size()));
+  report_.barrier = barrier_.hold(cloth_, dt);
+  last_step_ = dt;
+  return report_;
+}
+
+template class Coupling<2>;
+template class Coupling<3>;
+
+}  // namespace washtub

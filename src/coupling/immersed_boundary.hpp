@@ -1,0 +1,72 @@
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "coupling/kernel.hpp"
+#include "coupling/markers.hpp"
+#include "flow/flow.hpp"
+
+namespace washtub {
+
+/// What a side of the box does to a delta function that reaches beyond it.
+enum class Reflection {
+  none,  ///< periodic
+  odd,   ///< wall: what falls beyond counts negative, so that cloth on the wall is at rest
+  even,  ///< slip: what falls beyond is mirrored
+};
+
+/// Carries nodal forces to the grid, Eq. (3), and grid velocities to the nodes, Eq. (5), through
+/// the markers and the regularised delta function of Eq. (7). Both use the same weights: they are
+/// adjoint. Each rank works on the faces of its own block; nodal results are summed over the ranks.
+template <int D>
+class ImmersedBoundary {
+ public:
+  using Components = std::array<Field, D>;
+  using Reflections = std::array<std::array<Reflection, 2>, D>;
+
+  ImmersedBoundary(const Grid<D>& grid, const Cloth<D>& cloth, Kernel kernel,
+                   const Reflections& sides);
+
+  /// Puts the delta functions at the given node positions [m].
+  void place(const std::vector<Vec<D>>& X);
+
+  /// Adds the force density of nodal forces G [N] to f [N/m^3] on this rank's faces.
+  void spread(const std::vector<Vec<D>>& G, Components& f) const;
+  /// On return U holds the velocity [m/s] at every node, on all ranks.
+  void interpolate(const Components& u, std::vector<Vec<D>>& U) const;
+  /// Lumped mobility D_i [1/kg]: the velocity per impulse of node i when all nodes are pushed alike
+  /// and closed faces do not give way.
+  void mobility(const Openings<D>& openings, double density, std::vector<Vec<D>>& mobility);
+
+  int markers() const { return markers_.count(); }
+  double marker_spacing() const { return spacing_; }
+
+ private:
+  /// Four neighbouring grid lines along one axis, all inside the box.
+  struct Line {
+    int start;
+    std::array<double, kernel_points> weight;
+  };
+  struct Stencil {
+    std::array<Line, D> face, centre;  ///< along an axis: on faces normal to it, on cell centres
+  };
+  Line line(double x, int axis, bool on_faces) const;
+  bool reaches_block(const Stencil& s) const;
+  template <class Visit>
+  void for_rows(const Stencil& s, int component, Visit&& visit) const;
+  template <class Value>
+  void gather(Value&& value, std::vector<Vec<D>>& U) const;
+
+  const Grid<D>& grid_;
+  Kernel kernel_;
+  Reflections sides_;
+  double spacing_;
+  Markers<D> markers_;
+  std::vector<Stencil> stencils_;
+  std::vector<int> local_;  ///< markers whose delta function touches this rank's block
+  Components ones_;
+  std::vector<Vec<D>> unit_;
+};
+
+}  // namespace washtub
