@@ -10,7 +10,7 @@
 namespace washtub {
 namespace {
 
-/// Measured: fields, masks and multigrid levels of a cell of the fluid [bytes].
+/// Bound of the design for fields, masks and multigrid levels of a cell [bytes].
 constexpr double bytes_per_cell = 250;
 
 void print_line(const std::string& name, const std::string& text) {
@@ -61,7 +61,7 @@ void print_groups(const Case& whole) {
   if (scale.period > 0) groups += fmt::format(", St = {:.3g}", 1 / scale.period / scale.speed);
   print_line("groups", groups);
   for (const ClothCase& cloth : whole.cloth) {
-    const MaterialCase& m = cloth.material;
+    const Material& m = cloth.material;
     std::string text =
         fmt::format("Te = {:.4g}, Be = {:.3g}", m.stretch / inertia, m.bending / inertia / r / r);
     if (whole.dimension == 3)

@@ -16,25 +16,24 @@ double Barrier<D>::margin(const Vec<D>& normal) const {
 
 template <int D>
 bool Barrier<D>::hold_from_solids(Vec<D>& x, Vec<D>& v, double& clearance, Report& report) const {
-  const double t = mapping_.time();
   const double widest = 0.5 * grid_.mesh().h.maxCoeff();
   bool touched = false;
   clearance = 1e30;
-  for (const auto& solid : mapping_.solids()) {
-    const double psi = solid.psi(in_space<D>(x), t);
+  for (const auto& solid : mapping_.poses()) {
+    const double psi = solid.psi(in_space<D>(x));
     if (psi <= -widest) {
       clearance = std::min(clearance, -widest - psi);
       continue;
     }
     clearance = 0;
-    const Vec<3> n3 = solid.normal(in_space<D>(x), t, 1e-3 * widest);
+    const Vec<3> n3 = solid.normal(in_space<D>(x), 1e-3 * widest);
     const Vec<D> n = n3.template head<D>();
     const double excess = psi + margin(n);
     if (excess <= 0) continue;
     touched = true;
     report.penetration = std::max(report.penetration, psi);
     x -= excess * n;
-    const Vec<D> relative = v - solid.velocity(in_space<D>(x), t).template head<D>();
+    const Vec<D> relative = v - solid.velocity(in_space<D>(x)).template head<D>();
     v -= std::max(0.0, relative.dot(n)) * n;
   }
   return touched;

@@ -6,13 +6,9 @@
 #include "cloth/implicit.hpp"
 #include "coupling/barrier.hpp"
 #include "coupling/immersed_boundary.hpp"
+#include "coupling/scheme.hpp"
 
 namespace washtub {
-
-enum class Scheme {
-  implicit,        ///< one implicit cloth solve a step, stable at the flow's time step
-  explicit_euler,  ///< the paper's: force at X^n, then dX/dt = U by forward Euler
-};
 
 /// Moves cloth and water together. Between Flow::predict and Flow::project, push() finds the
 /// cloth's force on the water; after the projection, move() brings the cloth to its new place.

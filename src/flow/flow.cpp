@@ -182,6 +182,7 @@ void Flow<D>::predict(double dt) {
   const double now = dt * (1 + 0.5 * ratio), before = -0.5 * dt * ratio;
   last_step_ = dt;
   const Relaxation relax = relaxation(coupling);
+  exchange_velocity();  // solids may have moved since, and with them the faces they close
   const auto stage = [&](int s, int k, int j0, int j1) {
     for (int j = j0; j < j1; ++j) {
       if (s == 0) {

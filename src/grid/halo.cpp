@@ -38,9 +38,9 @@ Halo<D>::Halo(MPI_Comm comm, const Block<D>& block, bool periodic_x)
   for (int axis = 1; axis < D; ++axis) {
     MPI_Cart_shift(comm, axis - 1, 1, &neighbour_[axis][0], &neighbour_[axis][1]);
     const auto s = slab(block_, axis);
-    for (int type = 0; type < 2; ++type) {
-      MPI_Type_vector(s.runs, s.length, s.stride, type ? MPI_DOUBLE : MPI_FLOAT,
-                      &slab_[type][axis]);
+    const std::array<MPI_Datatype, 3> values{MPI_FLOAT, MPI_DOUBLE, MPI_UINT8_T};
+    for (std::size_t type = 0; type < values.size(); ++type) {
+      MPI_Type_vector(s.runs, s.length, s.stride, values[type], &slab_[type][axis]);
       MPI_Type_commit(&slab_[type][axis]);
     }
   }
@@ -125,6 +125,11 @@ void Halo<D>::exchange(std::span<double* const> arrays) const {
 template <int D>
 void Halo<D>::exchange(std::span<float* const> arrays) const {
   run(arrays, 0);
+}
+
+template <int D>
+void Halo<D>::exchange(std::span<std::uint8_t* const> arrays) const {
+  run(arrays, 2);
 }
 
 template class Halo<2>;

@@ -2,6 +2,7 @@
 #include <mpi.h>
 
 #include <array>
+#include <cstdint>
 #include <span>
 
 #include "grid/block.hpp"
@@ -23,6 +24,7 @@ class Halo {
   /// Exchanges several arrays of the block in one round per axis; edges and corners included.
   void exchange(std::span<double* const> arrays) const;
   void exchange(std::span<float* const> arrays) const;
+  void exchange(std::span<std::uint8_t* const> arrays) const;
   template <class T>
   void exchange(T* array) const {
     exchange(std::span<T* const>(&array, 1));
@@ -52,7 +54,7 @@ class Halo {
   int width_ = 0, rank_ = 0;
   bool periodic_x_ = false;
   std::array<std::array<int, 2>, D> neighbour_{};
-  std::array<std::array<MPI_Datatype, D>, 2> slab_{};  ///< [float, double][axis]
+  std::array<std::array<MPI_Datatype, D>, 3> slab_{};  ///< [float, double, byte][axis]
 };
 
 }  // namespace washtub

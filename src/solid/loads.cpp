@@ -32,8 +32,8 @@ void add_row(Load<D>& load, const FaceRow<D>& row, int axis, const Vec<D>& shift
 
 template <int D>
 SurfaceLoads<D> surface_loads(const Grid<D>& grid, const DomainMapping<D>& mapping,
-                              std::size_t solid, const std::array<const double*, D>& velocity,
-                              const double* pressure, double density, double viscosity) {
+                              std::size_t solid, const WaterState<D>& water) {
+
   SurfaceLoads<D> loads;
   const auto& box = mapping.reach(solid);
   if (box.empty()) return loads;
@@ -67,11 +67,11 @@ SurfaceLoads<D> surface_loads(const Grid<D>& grid, const DomainMapping<D>& mappi
     const long t = c == 0 ? 1 : block.stride[c];
     const float* phi = open[c] + row.p;
     const std::uint8_t* owner = mapping.owner(c) + row.p;
-    const double* u = velocity[c] + row.p;
-    const double* w = velocity[d] + row.p + s;  // faces along d on the edge between both cells
-    const double area = volume / mesh.h[d], mu = viscosity * area;
+    const double* u = water.velocity[c] + row.p;
+    const double* w = water.velocity[d] + row.p + s;  // faces along d on the edge between both cells
+    const double area = volume / mesh.h[d], mu = water.viscosity * area;
     const double per_d = 1 / mesh.h[d], per_c = 1 / mesh.h[c];
-    const double carried = 0.25 * density * area;
+    const double carried = 0.25 * water.density * area;
     Vec<D> shift = Vec<D>::Zero();
     shift[d] = 0.5 * mesh.h[d];
     const auto step = [&](int i) {  // +1 where the solid lies above the edge, -1 where below
@@ -85,17 +85,21 @@ SurfaceLoads<D> surface_loads(const Grid<D>& grid, const DomainMapping<D>& mappi
     add_row<D>(loads.convection, row, c, shift, mesh.h[0],
                [&](int i) { return step(i) * carried * (w[i - t] + w[i]) * (u[i] + u[i + s]); });
   };
-  const auto add_pressure = [&](int d, int j, int k) {
+  const auto add_body = [&](int d, int j, int k) {
     FaceRow<D> row = row_of_faces(d, j, k);
     if (d == 0 && grid.at_side(0, 0)) row.begin = std::max(row.begin, 1);
     if (d > 0 && coordinate(d, j, k) == 0 && grid.at_side(d, 0)) return;
     const long s = d == 0 ? 1 : block.stride[d];
     const float* phi = open[d] + row.p;
     const std::uint8_t* owner = mapping.owner(d) + row.p;
-    const double* p = pressure + row.p;
+    const double* p = water.pressure + row.p;
+    const double* f = water.force[d] + row.p;
     const double area = volume / mesh.h[d];
     add_row<D>(loads.pressure, row, d, Vec<D>::Zero(), mesh.h[0], [&](int i) {
       return owner[i] == solid ? area * (phi[i] < 1) * (p[i - s] - p[i]) : 0.0;
+    });
+    add_row<D>(loads.cloth, row, d, Vec<D>::Zero(), mesh.h[0], [&](int i) {
+      return owner[i] == solid ? volume * (1 - phi[i]) * f[i] : 0.0;
     });
   };
 
@@ -104,16 +108,14 @@ SurfaceLoads<D> surface_loads(const Grid<D>& grid, const DomainMapping<D>& mappi
     for (int j = j0; j < j1; ++j)
       for (int c = 0; c < D; ++c) {
         for (int d = 0; d < D; ++d) add_fluxes(c, d, j, k);
-        add_pressure(c, j, k);
+        add_body(c, j, k);
       }
   return loads;
 }
 
 template SurfaceLoads<2> surface_loads<2>(const Grid<2>&, const DomainMapping<2>&, std::size_t,
-                                          const std::array<const double*, 2>&, const double*,
-                                          double, double);
+ const WaterState<2>&);
 template SurfaceLoads<3> surface_loads<3>(const Grid<3>&, const DomainMapping<3>&, std::size_t,
-                                          const std::array<const double*, 3>&, const double*,
-                                          double, double);
+ const WaterState<3>&);
 
 }  // namespace washtub

@@ -10,16 +10,26 @@ struct Load {
   double torque = 0;              ///< [N m]
 };
 
+/// The state of the water that loads on solids come from.
+template <int D>
+struct WaterState {
+  std::array<const double*, D> velocity;  ///< [m/s]
+  const double* pressure;                 ///< [Pa]
+  std::array<const double*, D> force;     ///< force density of the cloth [N/m^3]
+  double density, viscosity;
+};
+
 /// What the water does to a solid, by parts.
 template <int D>
 struct SurfaceLoads {
   Load<D> friction;    ///< viscous stress on the staircase surface
   Load<D> pressure;    ///< pressure on the closed faces
   Load<D> convection;  ///< momentum carried into and out of the staircase
+  Load<D> cloth;       ///< cloth force that reaches into the solid
 
   Load<D> total() const {
-    return {friction.force + pressure.force + convection.force,
-            friction.torque + pressure.torque + convection.torque};
+    return {friction.force + pressure.force + convection.force + cloth.force,
+            friction.torque + pressure.torque + convection.torque + cloth.torque};
   }
 };
 
@@ -30,7 +40,6 @@ struct SurfaceLoads {
 /// loses; see also DomainMapping::swept. Sum over this rank only.
 template <int D>
 SurfaceLoads<D> surface_loads(const Grid<D>& grid, const DomainMapping<D>& mapping,
-                              std::size_t solid, const std::array<const double*, D>& velocity,
-                              const double* pressure, double density, double viscosity);
+                              std::size_t solid, const WaterState<D>& water);
 
 }  // namespace washtub

@@ -63,10 +63,11 @@ DomainMapping<D>::DomainMapping(const Grid<D>& grid, std::vector<Solid> solids, 
     moving_planes_[1] = std::max(moving_planes_[1], reach_.back().upper[D - 1]);
   }
   if (moving_planes_[0] >= moving_planes_[1]) moving_planes_ = {0, 0};
+  pose();
   evaluate(whole, true);
   swept_.clear();
   close_sides();
-  for (auto& o : open_) grid.halo().exchange(o.data());
+  exchange();
 }
 
 template <int D>
@@ -74,15 +75,6 @@ std::array<const float*, D> DomainMapping<D>::open() const {
   std::array<const float*, D> o;
   for (int d = 0; d < D; ++d) o[d] = open_[d].data();
   return o;
-}
-
-template <int D>
-std::pair<double, std::size_t> DomainMapping<D>::psi(const Vec<D>& x, double t) const {
-  const Vec<3> point = in_space<D>(x);
-  std::pair<double, std::size_t> largest{-1e300, 0};
-  for (std::size_t s = 0; s < solids_.size(); ++s)
-    largest = std::max(largest, {solids_[s].psi(point, t), s});
-  return largest;
 }
 
 /// 1 - H(psi), Eq. (11); the sharp function counts a face centre on the surface as fluid, the
@@ -118,7 +110,7 @@ void DomainMapping<D>::evaluate_row(int d, int j, int k, int i0, int i1, bool al
     const Vec<3> x = in_space<D>(grid_.position(cell, d));
     double largest = -1e300, turn = 1e30;
     for (std::size_t s = 0; s < solids_.size(); ++s) {
-      const double value = solids_[s].psi(x, time_);
+      const double value = poses_[s].psi(x);
       if (value > largest) largest = value, owner[i] = static_cast<std::uint8_t>(s);
       if (!solids_[s].drive.moving()) continue;
       const double lever = std::hypot(x[0] - solids_[s].centre[0], x[1] - solids_[s].centre[1]);
@@ -164,6 +156,25 @@ void DomainMapping<D>::close_sides() {
     }
 }
 
+/// Ghosts of the open fractions and of their owners.
+template <int D>
+void DomainMapping<D>::exchange() {
+  std::array<float*, D> open;
+  std::array<std::uint8_t*, D> owner;
+  for (int d = 0; d < D; ++d) {
+    open[d] = open_[d].data();
+    owner[d] = owner_[d].data();
+  }
+  grid_.halo().exchange(std::span<float* const>(open));
+  grid_.halo().exchange(std::span<std::uint8_t* const>(owner));
+}
+
+template <int D>
+void DomainMapping<D>::pose() {
+  poses_.clear();
+  for (const auto& solid : solids_) poses_.push_back(solid.at(time_));
+}
+
 template <int D>
 typename DomainMapping<D>::Change DomainMapping<D>::update(double t) {
   change_ = {};
@@ -174,6 +185,7 @@ typename DomainMapping<D>::Change DomainMapping<D>::update(double t) {
     travel_ += std::max(turned, bound * std::abs(t - time_));
   }
   time_ = t;
+  pose();
   const bool all = travel_ > rebase_after;
   if (all) travel_ = 0;
   for (std::size_t s = 0; s < solids_.size(); ++s)
@@ -181,9 +193,7 @@ typename DomainMapping<D>::Change DomainMapping<D>::update(double t) {
   change_.any = grid_.parallel().any(change_.any);
   if (change_.any) {
     change_.flipped = gamma_ == 0;
-    std::array<float*, D> arrays;
-    for (int d = 0; d < D; ++d) arrays[d] = open_[d].data();
-    grid_.halo().exchange(std::span<float* const>(arrays));
+    exchange();
   }
   return change_;
 }

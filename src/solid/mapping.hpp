@@ -40,7 +40,8 @@ class DomainMapping {
   const std::vector<Solid>& solids() const { return solids_; }
   /// Open fractions of the lower faces along each axis, ghosts included.
   std::array<const float*, D> open() const;
-  /// Solid with the largest psi at the lower faces along axis d; meaningful where not fully open.
+  /// Solid with the largest psi at the lower faces along axis d, ghosts included; meaningful where
+  /// not fully open.
   const std::uint8_t* owner(int d) const { return owner_[d].data(); }
   /// Cells whose faces a solid can ever close, for solids that move; whole block for others.
   const CellBox<D>& reach(std::size_t solid) const { return reach_[solid]; }
@@ -55,18 +56,21 @@ class DomainMapping {
   /// velocity is still the one before impose(): force x time and moment x time about its axis.
   std::pair<Vec<D>, double> swept(std::size_t solid, const std::array<Field, D>& u,
                                   double density) const;
-  /// Largest psi over all solids at a point [m], and which solid it is.
-  std::pair<double, std::size_t> psi(const Vec<D>& x, double t) const;
+  /// The solids as they stand now.
+  const std::vector<SolidPose>& poses() const { return poses_; }
 
  private:
   void evaluate(const CellBox<D>& box, bool all);
   void evaluate_row(int d, int j, int k, int i0, int i1, bool all);
+  void pose();
+  void exchange();
   void close_sides();
   void set_solid_velocity(std::array<Field, D>& u, float open_at_most) const;
   float open_fraction(double psi) const;
 
   const Grid<D>& grid_;
   std::vector<Solid> solids_;
+  std::vector<SolidPose> poses_;
   double gamma_;
   double time_ = 0, travel_ = 0;
   Change change_;

@@ -6,6 +6,9 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "cloth/material.hpp"
+#include "coupling/kernel.hpp"
+#include "coupling/scheme.hpp"
 #include "solid/drive.hpp"
 #include "solid/shape.hpp"
 
@@ -43,17 +46,6 @@ struct SolidCase {
   Drive drive = at_rest();
 };
 
-/// Elastic constants of a sheet, Eq. (14); `poisson` enters only the cross terms.
-struct MaterialCase {
-  double stretch = 0;      ///< K_e [N/m]
-  double shear = 0;        ///< K_s [N/m]
-  double bending = 0;      ///< K_b [N m]
-  double torsion = 0;      ///< K_t [N m]
-  double poisson = 0;      ///< nu
-  double excess_mass = 0;  ///< rho_s q, beyond the displaced water [kg/m^2]
-  double thickness = 0;    ///< q [m]
-};
-
 enum class Arrangement { book, random, sheet };
 
 /// A group of equal pieces of cloth.
@@ -62,7 +54,7 @@ struct ClothCase {
   std::array<double, 2> size = {0, 0};  ///< edge lengths (r, s) [m]
   std::array<int, 2> nodes = {0, 0};    ///< nodes along r and s; 0 = from `spacing`
   double spacing = 1.7;                 ///< node spacing in lateral cells, where `nodes` is 0
-  MaterialCase material;
+  Material material;
   Arrangement arrangement = Arrangement::book;
   std::uint64_t seed = 1;
   /// book: pages in planes through the axis (reference.md, start of the 3-D wash)
@@ -76,14 +68,9 @@ struct ClothCase {
   std::array<Vec<3>, 2> along = {Vec<3>::UnitX(), Vec<3>::UnitY()};
 };
 
-enum class CouplingScheme { implicit, explicit_euler };
-enum class KernelName { cosine, roma3, peskin4 };
-
 struct CouplingCase {
-  CouplingScheme scheme = CouplingScheme::implicit;
-  KernelName kernel = KernelName::cosine;
-  bool contact = true;         ///< repulsion between pieces closer than `contact_range`
-  double contact_range = 1.2;  ///< in lateral cells
+  Scheme scheme = Scheme::implicit;
+  Kernel kernel = Kernel::cosine;
 };
 
 struct TimeCase {

@@ -10,30 +10,30 @@ bool is_sheet(const ClothCase& cloth, int) { return cloth.arrangement == Arrange
 bool is_placed(const ClothCase& cloth, int dimension) { return !is_sheet(cloth, dimension); }
 bool in_space(const ClothCase&, int dimension) { return dimension == 3; }
 
-template <double MaterialCase::*member>
+template <double Material::*member>
 double& material(ClothCase& cloth) {
   return cloth.material.*member;
 }
 
 void add_material(Table<ClothCase>& table) {
   table
-      .key("stretch_stiffness", material<&MaterialCase::stretch>,
+      .key("stretch_stiffness", material<&Material::stretch>,
            quantity(measure::stiffness, above(0)), "K_e of Eq. (14)")
       .required()
-      .key("shear_stiffness", material<&MaterialCase::shear>,
-           quantity(measure::stiffness, at_least(0)), "K_s")
+      .key("shear_stiffness", material<&Material::shear>, quantity(measure::stiffness, at_least(0)),
+           "K_s")
       .only("in 3-D", in_space)
-      .key("bending_stiffness", material<&MaterialCase::bending>,
+      .key("bending_stiffness", material<&Material::bending>,
            quantity(measure::bending, at_least(0)), "K_b")
       .required()
-      .key("torsion_stiffness", material<&MaterialCase::torsion>,
+      .key("torsion_stiffness", material<&Material::torsion>,
            quantity(measure::bending, at_least(0)), "K_t")
       .only("in 3-D", in_space)
-      .key("poisson", material<&MaterialCase::poisson>, number(between(0, 0.5)),
+      .key("poisson", material<&Material::poisson>, number(between(0, 0.5)),
            "nu of the cross terms")
-      .key("excess_mass", material<&MaterialCase::excess_mass>,
+      .key("excess_mass", material<&Material::excess_mass>,
            quantity(measure::areal_mass, at_least(0)), "mass beyond that of the displaced water")
-      .key("thickness", material<&MaterialCase::thickness>, quantity(measure::length, above(0)),
+      .key("thickness", material<&Material::thickness>, quantity(measure::length, above(0)),
            "q, by which forces become stresses")
       .required();
 }

@@ -22,17 +22,13 @@ Table<CouplingCase> coupling_table() {
   Table<CouplingCase> table("How cloth and water act on each other.");
   table
       .key("scheme", &CouplingCase::scheme,
-           choice<CouplingScheme>({{"implicit", CouplingScheme::implicit},
-                                   {"explicit", CouplingScheme::explicit_euler}}),
+           choice<Scheme>({{"implicit", Scheme::implicit}, {"explicit", Scheme::explicit_euler}}),
            "implicit cloth with entrained mass, or the paper's explicit forward Euler")
-      .key("kernel", &CouplingCase::kernel,
-           choice<KernelName>({{"cosine", KernelName::cosine},
-                               {"roma3", KernelName::roma3},
-                               {"peskin4", KernelName::peskin4}}),
-           "smoothed delta function")
-      .key("contact", &CouplingCase::contact, boolean(), "repulsion between pieces that come close")
-      .key("contact_range", &CouplingCase::contact_range, number(between(0.1, 4)),
-           "how close, in lateral cells");
+      .key(
+          "kernel", &CouplingCase::kernel,
+          choice<Kernel>(
+              {{"cosine", Kernel::cosine}, {"roma3", Kernel::roma3}, {"peskin4", Kernel::peskin4}}),
+          "smoothed delta function");
   return table;
 }
 

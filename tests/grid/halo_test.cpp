@@ -23,6 +23,15 @@ double value_at(const Mesh<D>& mesh, Index<D> c) {
   return value;
 }
 
+/// What stands for that number in field `array` of values T, bytes included.
+template <class T>
+T stored(double value, int array) {
+  if constexpr (sizeof(T) == 1)
+    return value < 0 ? T{255} : static_cast<T>((static_cast<long>(value) + 7 * array) % 251);
+  else
+    return static_cast<T>(value < 0 ? -1 : value + 0.25 * array);
+}
+
 /// Fills `arrays` fields, each shifted by its number, exchanges and compares every ghost.
 template <int D, class T>
 void check_exchange(const Mesh<D>& mesh, int arrays) {
@@ -30,8 +39,7 @@ void check_exchange(const Mesh<D>& mesh, int arrays) {
   const auto& block = grid.block();
   const auto expected = [&](Index<D> c, int a) {
     for (int d = 0; d < D; ++d) c[d] += block.offset[d];
-    const double v = value_at<D>(mesh, c);
-    return static_cast<T>(v < 0 ? -1 : v + 0.25 * a);
+    return stored<T>(value_at<D>(mesh, c), a);
   };
   const auto inside = [&](const Index<D>& c) {
     for (int d = 0; d < D; ++d)
@@ -43,7 +51,7 @@ void check_exchange(const Mesh<D>& mesh, int arrays) {
   for (int a = 0; a < arrays; ++a) {
     fields.emplace_back(static_cast<std::size_t>(block.size));
     for_cells(block, 1, [&](const Index<D>& c) {
-      fields.back()[block.at(c)] = inside(c) ? expected(c, a) : T{-1};
+      fields.back()[block.at(c)] = inside(c) ? expected(c, a) : stored<T>(-1, a);
     });
     pointers.push_back(fields.back().data());
   }
@@ -74,6 +82,7 @@ void check_all_boxes() {
 
 TEST(Halo, FillsFacesEdgesAndCornersInDoublePrecision) { check_all_boxes<double>(); }
 TEST(Halo, FillsFacesEdgesAndCornersInSinglePrecision) { check_all_boxes<float>(); }
+TEST(Halo, FillsFacesEdgesAndCornersOfBytes) { check_all_boxes<std::uint8_t>(); }
 
 TEST(Halo, WrapsOneRowOnlyWhereTheBoxRepeats) {
   for (const bool periodic : {false, true}) {

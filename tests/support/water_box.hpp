@@ -60,22 +60,23 @@ struct WaterBox {
   void impose() {
     mapping.impose(flow.velocity());
     if (mapping.smooth()) mapping.impose_target(flow.target());
-    flow.refresh_ghosts();
   }
   typename Flow<D>::Report step(double dt, double tolerance = 1e-4, int max_cycles = 60) {
     move_solids(dt);
     flow.predict(dt);
     return flow.project(dt, tolerance, max_cycles);
   }
-  std::array<const double*, D> velocity() const {
-    std::array<const double*, D> u;
-    for (int d = 0; d < D; ++d) u[d] = flow.velocity()[d].data();
-    return u;
+  WaterState<D> water() const {
+    WaterState<D> w{{}, flow.pressure().data(), {}, flow.density(), flow.viscosity()};
+    for (int d = 0; d < D; ++d) {
+      w.velocity[d] = flow.velocity()[d].data();
+      w.force[d] = flow.force()[d].data();
+    }
+    return w;
   }
   /// What the water does to a solid, this rank's share.
   SurfaceLoads<D> loads(std::size_t solid) const {
-    return surface_loads<D>(grid, mapping, solid, velocity(), flow.pressure().data(),
-                            flow.density(), flow.viscosity());
+    return surface_loads<D>(grid, mapping, solid, water());
   }
   double torque(std::size_t solid) const {
     return grid.parallel().sum(loads(solid).total().torque);
@@ -109,6 +110,7 @@ struct WaterBox {
   void start_from(FieldOf&& field) {
     for_open_faces([&](int d, const Vec<D>& x, long p) { flow.velocity()[d][p] = field(d, x); });
     impose();
+    flow.refresh_ghosts();
   }
   /// Largest |u - field(axis, position)| over the open faces of all ranks.
   template <class FieldOf>

@@ -115,7 +115,7 @@ void source_row(const Level<D, T>& l, int j, int k, float* __restrict__ sum) {
 
 /// Interpolates the coarse correction to a fine row: the parent's value plus a quarter of the
 /// difference to the neighbour on the child's side, weighted with the open fraction of the coarse
-/// face between them, so that nothing passes through closed faces.
+/// face between them, so that nothing passes through closed faces. Dead cells stay zero.
 template <bool add, int D, class T>
 void prolong_row(Level<D, T>& l, const Level<D, float>& coarse, int j, int k) {
   const auto r = static_cast<std::size_t>(l.block.row_index(j, k));
@@ -143,8 +143,10 @@ void prolong_row(Level<D, T>& l, const Level<D, float>& coarse, int j, int k) {
     if constexpr (D == 3) v += wy * openy[i] * (c[i + yn] - c[i]);
     return v;
   };
+  const float* live = l.inverse_diagonal.data() + l.block.row(j, k);
   const auto put = [&](int i, float v) {
-    o[i] = add ? o[i] + static_cast<T>(v) : static_cast<T>(v);
+    const T correction = live[i] > 0 ? static_cast<T>(v) : T{0};
+    o[i] = add ? o[i] + correction : correction;
   };
   if (coarse.factor[0] == 1) {
 #pragma omp simd

@@ -1,0 +1,110 @@
+#include "measure/observer.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace washtub {
+
+template <int D>
+Observer<D>::Observer(Simulation<D>& simulation)
+    : simulation_(simulation),
+      window_{simulation.definition().output.window_begin,
+              simulation.definition().output.window_end},
+      axis_(Vec<2>::Zero()),
+      stress_(static_cast<std::size_t>(simulation.cloth().pieces()), window_),
+      scatter_(static_cast<std::size_t>(simulation.cloth().pieces()), window_, Vec<2>::Zero()) {
+  const auto n = simulation.cloth().position.size();
+  for (auto* v : {&membrane_, &bending_, &total_}) v->resize(n);
+}
+
+template <int D>
+void Observer<D>::observe_solids(Sample& sample) {
+  const auto& solids = simulation_.mapping().solids();
+  for (std::size_t s = 0; s < solids.size(); ++s) {
+    const auto loads = simulation_.loads(s);
+    SolidSample solid;
+    solid.angle = solids[s].drive.angle(sample.time);
+    solid.friction = loads.friction.torque;
+    solid.pressure = loads.pressure.torque;
+    solid.convection = loads.convection.torque;
+    solid.torque = loads.total().torque;
+    if (solids[s].drive.moving()) {
+      const Impulse since = simulation_.take_impulse(s);
+      if (since.time > 0) {
+        solid.speed = since.angle / since.time;
+        solid.torque = since.moment / since.time;
+      }
+    }
+    sample.solids.push_back(solid);
+  }
+}
+
+template <int D>
+void Observer<D>::observe_cloth(Sample& sample, const Interval& since) {
+  const auto& cloth = simulation_.cloth();
+  double area = 0;
+  for (const auto& g : cloth.groups) {
+    node_stress_.resize(static_cast<std::size_t>(g.sheet.nodes()));
+    for (int p = 0; p < g.pieces; ++p) {
+      const auto X = cloth.piece(g, p);
+      const auto first = static_cast<std::size_t>(g.node(p, 0));
+      find_stress(g.sheet, X, node_stress_);
+      for (std::size_t i = 0; i < node_stress_.size(); ++i) {
+        membrane_[first + i] = node_stress_[i].membrane;
+        bending_[first + i] = node_stress_[i].bending;
+        total_[first + i] = node_stress_[i].total;
+      }
+      const auto part = [&](const std::vector<double>& v) {
+        return std::span(v).subspan(first, node_stress_.size());
+      };
+      sample.pieces.push_back(
+          area_mean({part(membrane_), part(bending_), part(total_)}, g.sheet.area));
+      scatter_.add<D>(since, static_cast<std::size_t>(g.first_piece + p), X, g.sheet.area);
+      sample.centres.push_back(radius_height<D>(centre_of_mass<D>(X, g.sheet.area), axis_));
+      const double piece_area = std::accumulate(g.sheet.area.begin(), g.sheet.area.end(), 0.0);
+      sample.centre += piece_area * sample.centres.back();
+      area += piece_area;
+    }
+  }
+  if (area > 0) sample.centre /= area;
+  const double pieces = static_cast<double>(sample.pieces.size());
+  for (const auto& p : sample.pieces) {
+    sample.stress.membrane += p.membrane / pieces;
+    sample.stress.bending += p.bending / pieces;
+    sample.stress.total += p.total / pieces;
+  }
+  stress_.add(since, sample.pieces);
+}
+
+template <int D>
+const Sample& Observer<D>::observe() {
+  Sample sample;
+  sample.time = simulation_.time();
+  const double before = samples_.empty() ? sample.time : samples_.back().time;
+  observe_solids(sample);
+  if (simulation_.cloth().pieces() > 0) observe_cloth(sample, {before, sample.time});
+  samples_.push_back(std::move(sample));
+  return samples_.back();
+}
+
+template <int D>
+void Observer<D>::watch(const typename Simulation<D>::Step& step) {
+  auto& e = extremes_;
+  e.divergence = std::max(e.divergence, step.divergence);
+  e.courant = std::max(e.courant, step.courant);
+  e.slip = std::max(e.slip, step.cloth.slip);
+  if (step.speed > 0) e.slip_share = std::max(e.slip_share, step.cloth.slip / step.speed);
+  e.penetration = std::max(e.penetration, step.cloth.barrier.penetration);
+  e.strain = std::max(e.strain, step.cloth.largest_strain);
+  e.touched += step.cloth.barrier.touched;
+  e.cycles += step.pressure.cycles;
+  e.newton += step.cloth.iterations;
+  e.unconverged += !step.pressure.converged;
+  e.largest_step = std::max(e.largest_step, step.dt);
+  e.smallest_step = std::min(e.smallest_step, step.dt);
+}
+
+template class Observer<2>;
+template class Observer<3>;
+
+}  // namespace washtub

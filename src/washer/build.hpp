@@ -1,0 +1,25 @@
+#pragma once
+#include <vector>
+
+#include "coupling/immersed_boundary.hpp"
+#include "solid/solid.hpp"
+#include "washer/case.hpp"
+
+namespace washtub {
+
+/// The objects of a simulation from its case.
+template <int D>
+Mesh<D> build_mesh(const Case& whole);
+template <int D>
+std::array<std::array<Side<D>, 2>, D> build_sides(const Case& whole);
+template <int D>
+typename ImmersedBoundary<D>::Reflections build_reflections(const Case& whole);
+std::vector<Solid> build_solids(const Case& whole);
+/// gamma of Eq. (11) [m]; 0 for the sharp mapping.
+double smooth_width(const Case& whole);
+/// All cloth at its start.
+/// @throws InputError where it cannot be placed
+template <int D>
+Cloth<D> build_cloth(const Case& whole);
+
+}  // namespace washtub

@@ -1,0 +1,160 @@
+#include "washer/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/error.hpp"
+#include "washer/build.hpp"
+
+namespace washtub {
+namespace {
+
+constexpr double growth = 1.1;            // of the time step from one step to the next
+constexpr double slip_limit = 0.05;       // of the largest speed, above which the step is cut
+constexpr double strain_limit = 0.2;      // |E| of an edge, above which the run stops
+constexpr double divergence_limit = 0.1;  // |div u| h/U, above which the run stops
+
+}  // namespace
+
+const char* name(StepLimit limit) {
+  constexpr const char* names[] = {"step", "cfl", "growth", "sample", "slip"};
+  return names[static_cast<int>(limit)];
+}
+
+template <int D>
+Simulation<D>::Simulation(const Case& whole, const Parallel& parallel)
+    : case_(whole),
+      grid_(build_mesh<D>(whole), parallel, granularity(build_mesh<D>(whole))),
+      mapping_(grid_, build_solids(whole), smooth_width(whole)),
+      flow_(grid_, whole.fluid.density, whole.fluid.viscosity, build_sides<D>(whole),
+            {mapping_.open(), mapping_.smooth()}),
+      cloth_(build_cloth<D>(whole)),
+      impulses_(whole.solids.size()) {
+  if (cloth_.pieces() > 0)
+    coupling_.emplace(flow_, cloth_, mapping_, whole.coupling.kernel, build_reflections<D>(whole),
+                      whole.coupling.scheme);
+}
+
+/// Length of the next step; also notes what limits it.
+template <int D>
+double Simulation<D>::choose_step(double latest) {
+  const auto& time = case_.time;
+  last_.limit = StepLimit::given;
+  if (time.fixed) return time.step;
+  double dt = time.step > 0 ? time.step : latest - last_.time;
+  const auto take = [&](double bound, StepLimit limit) {
+    if (bound < dt) dt = bound, last_.limit = limit;
+  };
+  if (courant_rate_ > 0) take(time.cfl / courant_rate_, StepLimit::courant);
+  if (last_.dt > 0) take(growth * last_.dt, StepLimit::growth);
+  if (slip_factor_ < 1) take(slip_factor_ * dt, StepLimit::slip);
+  const double left = latest - last_.time;
+  const double even = left / std::ceil(left / dt - 1e-9);  // equal steps up to the sample
+  if (even < 0.999 * dt) take(even, StepLimit::sample);
+  return std::min(even, dt);
+}
+
+template <int D>
+void Simulation<D>::move_solids(double dt) {
+  const auto change = mapping_.update(last_.time + dt);
+  last_.flips = change.flipped;
+  const auto [k0, k1] = mapping_.moving_planes();
+  if (change.any) flow_.openings_changed(k0, k1, change.flipped);
+  for (std::size_t s = 0; s < impulses_.size(); ++s)
+    if (mapping_.solids()[s].drive.moving())
+      impulses_[s].moment += mapping_.swept(s, flow_.velocity(), flow_.density()).second;
+  mapping_.impose(flow_.velocity());
+  if (mapping_.smooth()) mapping_.impose_target(flow_.target());
+}
+
+/// The paper's equations in the order in which they are solved.
+template <int D>
+void Simulation<D>::move_cloth_and_water(double dt) {
+  flow_.predict(dt);                   // Eq. (1) without pressure and cloth
+  if (coupling_) coupling_->push(dt);  // cloth solve; f = S F, Eq. (3)
+  const auto flow = flow_.project(dt, case_.solver.divergence, case_.solver.max_cycles);  // Eq. (2)
+  if (coupling_) last_.cloth = coupling_->move(dt);  // dX/dt = U, Eqs. (5), (6)
+
+  last_.pressure = flow.pressure;
+  last_.divergence = flow.divergence;
+  last_.speed = flow.speed;
+  last_.kinetic = flow.kinetic;
+  last_.courant = flow.courant * dt;
+  courant_rate_ = flow.courant;
+}
+
+template <int D>
+const typename Simulation<D>::Step& Simulation<D>::step(double latest) {
+  const double dt = choose_step(latest);
+  move_solids(dt);  // u = u_o where psi > 0, Eq. (9)
+  move_cloth_and_water(dt);
+  last_.time += dt;
+  last_.dt = dt;
+  ++last_.number;
+  record_impulses(dt);
+  slip_factor_ = last_.cloth.slip > slip_limit * last_.speed ? std::max(0.1, 0.7 * slip_factor_)
+                                                             : std::min(1.0, 1.02 * slip_factor_);
+  watch();
+  return last_;
+}
+
+template <int D>
+WaterState<D> Simulation<D>::water() const {
+  WaterState<D> w{{}, flow_.pressure().data(), {}, flow_.density(), flow_.viscosity()};
+  for (int d = 0; d < D; ++d) {
+    w.velocity[d] = flow_.velocity()[d].data();
+    w.force[d] = flow_.force()[d].data();
+  }
+  return w;
+}
+
+template <int D>
+void Simulation<D>::record_impulses(double dt) {
+  for (std::size_t s = 0; s < impulses_.size(); ++s) {
+    const auto& drive = mapping_.solids()[s].drive;
+    if (!drive.moving()) continue;
+    const auto load = surface_loads<D>(grid_, mapping_, s, water());
+    impulses_[s].moment += dt * load.total().torque;
+    impulses_[s].angle += drive.angle(last_.time) - drive.angle(last_.time - dt);
+    impulses_[s].time += dt;
+  }
+}
+
+template <int D>
+Impulse Simulation<D>::take_impulse(std::size_t solid) {
+  Impulse taken = impulses_[solid];
+  taken.moment = grid_.parallel().sum(taken.moment);
+  impulses_[solid] = {};
+  return taken;
+}
+
+template <int D>
+SurfaceLoads<D> Simulation<D>::loads(std::size_t solid) const {
+  auto l = surface_loads<D>(grid_, mapping_, solid, water());
+  for (auto* part : {&l.friction, &l.pressure, &l.convection, &l.cloth}) {
+    grid_.parallel().sum(std::span<double>(part->force.data(), D));
+    part->torque = grid_.parallel().sum(part->torque);
+  }
+  return l;
+}
+
+template <int D>
+void Simulation<D>::watch() const {
+  const std::string where = fmt::format("step {}, t = {:.6g} s: ", last_.number, last_.time);
+  if (!std::isfinite(last_.kinetic))
+    throw RunError(where + "the velocity is no longer finite; try a smaller time.step or time.cfl");
+  if (!last_.pressure.converged && last_.divergence > divergence_limit)
+    throw RunError(where + fmt::format("the pressure solve left |div u| h/U = {:.2g} after {} "
+                                       "cycles; try a larger solver.max_cycles",
+                                       last_.divergence, last_.pressure.cycles));
+  if (last_.cloth.largest_strain > strain_limit)
+    throw RunError(where + fmt::format("the cloth is stretched by {:.0f} %, limit {:.0f} %; try a "
+                                       "smaller time.step or time.cfl",
+                                       100 * last_.cloth.largest_strain, 100 * strain_limit));
+}
+
+template class Simulation<2>;
+template class Simulation<3>;
+
+}  // namespace washtub

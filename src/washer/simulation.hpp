@@ -1,0 +1,79 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "coupling/coupling.hpp"
+#include "solid/loads.hpp"
+#include "washer/case.hpp"
+
+namespace washtub {
+
+/// What keeps the time step from being longer.
+enum class StepLimit { given, courant, growth, sample, slip };
+const char* name(StepLimit limit);
+
+/// What a turning solid received from the water since the last look.
+struct Impulse {
+  double moment = 0;  ///< time integral of the torque of the water on it [N m s], per metre in 2-D
+  double angle = 0;   ///< swept meanwhile [rad]
+  double time = 0;    ///< [s]
+};
+
+/// A case that runs: water, solids and cloth, and the step that moves them on together.
+template <int D>
+class Simulation {
+ public:
+  /// Places the cloth; everything is at rest.
+  /// @throws InputError where the cloth does not fit or the grid does not suit the ranks
+  Simulation(const Case& whole, const Parallel& parallel);
+
+  struct Step {
+    long number = 0;
+    double time = 0, dt = 0;  ///< [s]
+    StepLimit limit = StepLimit::given;
+    double courant = 0;     ///< sum over axes of |u| dt / h, largest
+    double divergence = 0;  ///< |div u| h / U, largest
+    double speed = 0;       ///< largest velocity component [m/s]
+    double kinetic = 0;     ///< energy of the water [J]
+    SolveReport pressure;
+    typename Coupling<D>::Report cloth;
+    int flips = 0;  ///< 1 if a face opened or closed in this step
+  };
+  /// One step, ending at `latest` at the latest.
+  /// @throws RunError when the state makes no sense any more; it is left as it is for a last look
+  const Step& step(double latest);
+
+  double time() const { return last_.time; }
+  const Step& last() const { return last_; }
+  const Grid<D>& grid() const { return grid_; }
+  const Flow<D>& flow() const { return flow_; }
+  const Cloth<D>& cloth() const { return cloth_; }
+  const DomainMapping<D>& mapping() const { return mapping_; }
+  const Case& definition() const { return case_; }
+  /// Impulse on a turning solid since the last call (collective).
+  Impulse take_impulse(std::size_t solid);
+  /// Loads on a solid now, summed over the ranks (collective).
+  SurfaceLoads<D> loads(std::size_t solid) const;
+
+ private:
+  double choose_step(double latest);
+  void move_solids(double dt);
+  void move_cloth_and_water(double dt);
+  void record_impulses(double dt);
+  void watch() const;
+  WaterState<D> water() const;
+
+  Case case_;
+  Grid<D> grid_;
+  DomainMapping<D> mapping_;
+  Flow<D> flow_;
+  Cloth<D> cloth_;
+  std::optional<Coupling<D>> coupling_;
+  Step last_;
+  double courant_rate_ = 0;  ///< largest sum over axes of |u| / h [1/s]
+  double slip_factor_ = 1;
+  std::vector<Impulse> impulses_;
+};
+
+}  // namespace washtub
