@@ -1,12 +1,30 @@
 #include "coupling/barrier.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace washtub {
+namespace {
+
+constexpr double least_share = 0.02;  // of the margin, kept even by nodes that start nearer
+constexpr int passes = 3;             // over the surfaces, for corners between them
+
+}  // namespace
 
 template <int D>
-Barrier<D>::Barrier(const Grid<D>& grid, const DomainMapping<D>& mapping, int nodes)
-    : grid_(grid), mapping_(mapping), clearance_(static_cast<std::size_t>(nodes), 0) {}
+Barrier<D>::Barrier(const Grid<D>& grid, const DomainMapping<D>& mapping,
+                    const std::vector<Vec<D>>& start)
+    : grid_(grid),
+      mapping_(mapping),
+      widest_(0.5 * grid.mesh().h.maxCoeff()),
+      share_(start.size(), 0),
+      clearance_(start.size(), 0),
+      accepted_(start) {
+  for (const auto& solid : mapping.solids())
+    fastest_ = std::max(fastest_, solid.drive.peak() * grid.mesh().size().norm());
+  std::vector<Vec<D>> X = start;
+  accept(X, 0);
+}
 
 /// Half a cell, measured along the normal.
 template <int D>
@@ -15,60 +33,92 @@ double Barrier<D>::margin(const Vec<D>& normal) const {
 }
 
 template <int D>
-bool Barrier<D>::hold_from_solids(Vec<D>& x, Vec<D>& v, double& clearance, Report& report) const {
-  const double widest = 0.5 * grid_.mesh().h.maxCoeff();
-  bool touched = false;
-  clearance = 1e30;
-  for (const auto& solid : mapping_.poses()) {
-    const double psi = solid.psi(in_space<D>(x));
-    if (psi <= -widest) {
-      clearance = std::min(clearance, -widest - psi);
-      continue;
-    }
-    clearance = 0;
-    const Vec<3> n3 = solid.normal(in_space<D>(x), 1e-3 * widest);
-    const Vec<D> n = n3.template head<D>();
-    const double excess = psi + margin(n);
-    if (excess <= 0) continue;
-    touched = true;
-    report.penetration = std::max(report.penetration, psi);
-    x -= excess * n;
-    const Vec<D> relative = v - solid.velocity(in_space<D>(x)).template head<D>();
-    v -= std::max(0.0, relative.dot(n)) * n;
+template <class Visit>
+double Barrier<D>::for_near(const Vec<D>& x, Visit&& visit) const {
+  double clear = 1e30;
+  const auto look = [&](double psi, auto&& normal, int solid) {
+    if (psi <= -2 * widest_)
+      clear = std::min(clear, -psi - widest_);
+    else
+      visit(Surface{psi, normal(), solid});
+  };
+  const auto& poses = mapping_.poses();
+  for (std::size_t s = 0; s < poses.size(); ++s) {
+    const Vec<3> point = in_space<D>(x);
+    look(
+        poses[s].psi(point),
+        [&] { return Vec<D>(poses[s].normal(point, 1e-3 * widest_).template head<D>()); },
+        static_cast<int>(s));
   }
-  return touched;
-}
-
-template <int D>
-bool Barrier<D>::hold_from_sides(Vec<D>& x, Vec<D>& v) const {
   const auto& mesh = grid_.mesh();
-  bool touched = false;
   for (int d = 0; d < D; ++d) {
     if (mesh.periodic[d]) continue;
-    const double low = mesh.lower[d] + 0.5 * mesh.h[d];
-    const double high = mesh.lower[d] + mesh.h[d] * (mesh.cells[d] - 0.5);
-    if (x[d] >= low && x[d] <= high) continue;
-    touched = true;
-    v[d] = x[d] < low ? std::max(v[d], 0.0) : std::min(v[d], 0.0);
-    x[d] = std::clamp(x[d], low, high);
+    const double high = mesh.lower[d] + mesh.h[d] * mesh.cells[d];
+    look(
+        mesh.lower[d] - x[d], [&] { return Vec<D>(-Vec<D>::Unit(d)); }, no_solid);
+    look(
+        x[d] - high, [&] { return Vec<D>(Vec<D>::Unit(d)); }, no_solid);
   }
-  return touched;
+  return clear;
+}
+
+/// Moves x out of the forbidden layer along the normals; returns whether it had to.
+template <int D>
+bool Barrier<D>::project(Vec<D>& x, int node, int& solid, double& depth) const {
+  bool moved = false;
+  for (int pass = 0; pass < passes; ++pass) {
+    double worst = 0;
+    Surface hit{};
+    for_near(x, [&](const Surface& s) {
+      const double excess = s.psi + share_[static_cast<std::size_t>(node)] * margin(s.normal);
+      if (excess > worst) worst = excess, hit = s;
+    });
+    if (worst <= 1e-12 * widest_) break;
+    if (pass == 0) solid = hit.solid, depth = hit.psi;
+    x -= worst * hit.normal;
+    moved = true;
+  }
+  return moved;
+}
+
+/// What a node and the solids near it may have moved towards each other.
+template <int D>
+double Barrier<D>::travel(const Vec<D>& moved, double dt) const {
+  return moved.norm() + fastest_ * dt;
 }
 
 template <int D>
-typename Barrier<D>::Report Barrier<D>::hold(Cloth<D>& cloth, double dt) {
+const std::vector<typename Barrier<D>::Contact>& Barrier<D>::find(const std::vector<Vec<D>>& X,
+                                                                  double dt) {
+  contacts_.clear();
+  for (std::size_t i = 0; i < X.size(); ++i) {
+    if (clearance_[i] > travel(X[i] - accepted_[i], dt)) continue;
+    Contact c{static_cast<int>(i), no_solid, X[i]};
+    double depth = 0;
+    if (project(c.to, c.node, c.solid, depth)) contacts_.push_back(c);
+  }
+  return contacts_;
+}
+
+template <int D>
+typename Barrier<D>::Report Barrier<D>::accept(std::vector<Vec<D>>& X, double dt) {
   Report report;
-  double fastest = 0;  // of any solid's matter near the cloth
-  const Vec<D> far = grid_.mesh().size();
-  for (const auto& solid : mapping_.solids())
-    fastest = std::max(fastest, std::abs(solid.drive.speed(mapping_.time())) * far.norm());
-  for (std::size_t i = 0; i < clearance_.size(); ++i) {
-    auto& x = cloth.position[i];
-    auto& v = cloth.velocity[i];
-    bool touched = hold_from_sides(x, v);
-    clearance_[i] -= 1.5 * dt * (v.norm() + fastest);
-    if (clearance_[i] <= 0) touched = hold_from_solids(x, v, clearance_[i], report) || touched;
-    report.touched += touched;
+  for (std::size_t i = 0; i < X.size(); ++i) {
+    clearance_[i] -= travel(X[i] - accepted_[i], dt);
+    if (clearance_[i] <= 0) {
+      int solid = no_solid;
+      double depth = 0, nearest = 1;
+      report.touched += project(X[i], static_cast<int>(i), solid, depth);
+      report.penetration = std::max(report.penetration, depth);
+      bool near = false;
+      const double clear = for_near(X[i], [&](const Surface& s) {
+        near = true;
+        nearest = std::min(nearest, -s.psi / margin(s.normal));
+      });
+      clearance_[i] = near ? 0 : clear;
+      share_[i] = std::max({share_[i], least_share, std::min(nearest, 1.0)});
+    }
+    accepted_[i] = X[i];
   }
   return report;
 }

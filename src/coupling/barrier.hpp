@@ -6,28 +6,54 @@
 
 namespace washtub {
 
-/// Keeps cloth out of solids and inside the box: a node nearer than half a cell to a surface is put
-/// back to that distance along the surface normal and loses the velocity into the surface.
+/// Keeps cloth out of solids and inside the box: no node comes nearer to a surface than half a
+/// cell. A node that starts nearer may stay there, but not go deeper.
 template <int D>
 class Barrier {
  public:
-  Barrier(const Grid<D>& grid, const DomainMapping<D>& mapping, int nodes);
+  Barrier(const Grid<D>& grid, const DomainMapping<D>& mapping, const std::vector<Vec<D>>& start);
+
+  static constexpr int no_solid = -1;
+
+  /// A node that would come too near.
+  struct Contact {
+    int node;
+    int solid;  ///< which it would touch; no_solid for a side of the box
+    Vec<D> to;  ///< the nearest allowed place [m]
+  };
+  /// Nodes that would be too near at X, a step of length dt after the last call of accept(), with
+  /// the solids where they are now.
+  const std::vector<Contact>& find(const std::vector<Vec<D>>& X, double dt);
 
   struct Report {
-    int touched = 0;         ///< nodes put back
-    double penetration = 0;  ///< deepest a node had entered a solid before that [m]
+    int touched = 0;         ///< nodes too near
+    double penetration = 0;  ///< deepest a node would have been inside a solid [m]
   };
-  /// On return no node lies inside a solid or beyond a side of the box. `dt`: time since last call.
-  Report hold(Cloth<D>& cloth, double dt);
+  /// Takes X as the new state after a step dt. On return no node of X is nearer than allowed.
+  Report accept(std::vector<Vec<D>>& X, double dt);
 
  private:
-  bool hold_from_solids(Vec<D>& x, Vec<D>& v, double& clearance, Report& report) const;
-  bool hold_from_sides(Vec<D>& x, Vec<D>& v) const;
+  struct Surface {
+    double psi;  ///< [m], negative in the water
+    Vec<D> normal;
+    int solid;
+  };
+  /// Calls visit(surface) for each surface nearer than the widest cell edge; returns how far the
+  /// point may go before another comes within half of that.
+  template <class Visit>
+  double for_near(const Vec<D>& x, Visit&& visit) const;
   double margin(const Vec<D>& normal) const;
+  bool project(Vec<D>& x, int node, int& solid, double& depth) const;
+  double travel(const Vec<D>& moved, double dt) const;
 
   const Grid<D>& grid_;
   const DomainMapping<D>& mapping_;
-  std::vector<double> clearance_;  ///< distance that may pass before a node is looked at again [m]
+  double widest_;                  ///< half the largest spacing [m]
+  double fastest_ = 0;             ///< bound of the speed of any solid's matter in the box [m/s]
+  std::vector<double> share_;      ///< of the margin that each node has to keep, up to 1
+  std::vector<double> clearance_;  ///< distance to go before a node has to be looked at again [m]
+  std::vector<Vec<D>> accepted_;
+  std::vector<Contact> contacts_;
 };
 
 }  // namespace washtub

@@ -11,6 +11,9 @@ namespace {
 
 // Tight enough that the result does not depend on which pieces are solved side by side.
 constexpr double solve_tolerance = 1e-10;  // in node spacings
+constexpr int not_held = -2;
+constexpr double grip = 1e4;   // stiffness of a held node over that of a free one
+constexpr int rounds = 4;      // of looking for nodes that have to be held
 constexpr double light = 0.1;  // excess mass per ghost mass up to which inertia may lag a step
 
 }  // namespace
@@ -21,9 +24,10 @@ Coupling<D>::Coupling(Flow<D>& flow, Cloth<D>& cloth, const DomainMapping<D>& ma
                       Scheme scheme)
     : flow_(flow),
       cloth_(cloth),
+      mapping_(mapping),
       scheme_(scheme),
       boundary_(flow.grid(), cloth, kernel, sides),
-      barrier_(flow.grid(), mapping, cloth.nodes()) {
+      barrier_(flow.grid(), mapping, cloth.position) {
   const auto& parallel = flow.grid().parallel();
   for (const auto& g : cloth.groups) {
     solvers_.push_back(std::make_unique<ClothSolver<D>>(g.sheet, g.pinned, solve_tolerance));
@@ -34,8 +38,10 @@ Coupling<D>::Coupling(Flow<D>& flow, Cloth<D>& cloth, const DomainMapping<D>& ma
     }
   }
   for (auto& f : provisional_) f = flow.grid().make_field();
-  for (auto* n : {&next_, &middle_, &target_, &stiffness_, &mobility_, &carried_, &water_, &force_})
+  for (auto* n : {&next_, &middle_, &target_, &stiffness_, &mobility_, &carried_, &water_, &free_,
+                  &reaction_, &force_})
     n->resize(cloth.position.size(), Vec<D>::Zero());
+  held_by_.resize(cloth.position.size(), not_held);
 }
 
 /// Inertia of the mass beyond that of the displaced water, from the last two steps.
@@ -72,12 +78,12 @@ void Coupling<D>::share_among_ranks(Nodes& values, std::size_t g) const {
 }
 
 template <int D>
-void Coupling<D>::solve_group(std::size_t g) {
+void Coupling<D>::solve_group(std::size_t g, const std::vector<int>& pieces) {
   const auto& group = cloth_.groups[g];
   const auto first = static_cast<std::size_t>(group.first_node);
   const auto n = static_cast<std::size_t>(group.nodes());
   const auto report = solvers_[g]->solve(
-      mine_[g], std::span<const Vec<D>>(stiffness_).subspan(first, n),
+      pieces, std::span<const Vec<D>>(stiffness_).subspan(first, n),
       std::span<const Vec<D>>(target_).subspan(first, n), std::span(next_).subspan(first, n));
   const auto& parallel = flow_.grid().parallel();
   const double failed = parallel.max(report.failed >= 0 ? group.first_piece + report.failed : -1);
@@ -110,13 +116,75 @@ void Coupling<D>::solve(double dt) {
           (m * (free + push) + extra * (x[c] + dt * cloth_.velocity[i][c])) / (m + extra);
     }
   }
-  for (std::size_t g = 0; g < cloth_.groups.size(); ++g) solve_group(g);
+  free_ = target_;
+  for (std::size_t g = 0; g < cloth_.groups.size(); ++g) solve_group(g, mine_[g]);
+  keep_out(dt);
   find_elastic(next_);
   for (std::size_t i = 0; i < target_.size(); ++i)
     for (int c = 0; c < D; ++c)
       if (excess_[i] * mobility_[i][c] > light)
         carried_[i][c] = -excess_[i] / (dt * dt) *
                          (next_[i][c] - cloth_.position[i][c] - dt * cloth_.velocity[i][c]);
+}
+
+/// Nodes that the solve put too near a surface are held at the nearest allowed place, and their
+/// pieces solved again, until none is left.
+template <int D>
+void Coupling<D>::keep_out(double dt) {
+  for (const int i : held_) held_by_[static_cast<std::size_t>(i)] = not_held;
+  held_.clear();
+  for (int round = 0; round < rounds; ++round) {
+    std::vector<std::vector<char>> again(cloth_.groups.size());
+    bool any = false;
+    for (const auto& contact : barrier_.find(next_, dt)) {
+      const auto i = static_cast<std::size_t>(contact.node);
+      if (held_by_[i] == not_held) {
+        held_.push_back(contact.node);
+        stiffness_[i] *= grip;
+      }
+      held_by_[i] = contact.solid;
+      target_[i] = contact.to;
+      any = true;
+      for (std::size_t g = 0; g < again.size(); ++g) {
+        const auto& group = cloth_.groups[g];
+        const int local = contact.node - group.first_node;
+        if (local < 0 || local >= group.nodes()) continue;
+        again[g].resize(static_cast<std::size_t>(group.pieces), 0);
+        again[g][static_cast<std::size_t>(local / group.sheet.nodes())] = 1;
+      }
+    }
+    if (!any) break;
+    for (std::size_t g = 0; g < again.size(); ++g) {
+      if (again[g].empty()) continue;
+      std::vector<int> pieces;
+      for (const int p : mine_[g])
+        if (again[g][static_cast<std::size_t>(p)]) pieces.push_back(p);
+      solve_group(g, pieces);
+    }
+  }
+}
+
+/// What holds a node: m_i (Y - Z)/dt^2 less the elastic force.
+template <int D>
+void Coupling<D>::add_reactions() {
+  for (const int node : held_) {
+    const auto i = static_cast<std::size_t>(node);
+    reaction_[i] = (stiffness_[i] / grip).cwiseProduct(next_[i] - free_[i]) - cloth_.elastic[i];
+    force_[i] += reaction_[i];
+  }
+}
+
+template <int D>
+double Coupling<D>::contact_moment(std::size_t solid) const {
+  double moment = 0;
+  for (const int node : held_) {
+    const auto i = static_cast<std::size_t>(node);
+    if (held_by_[i] != static_cast<int>(solid)) continue;
+    const Vec<3>& centre = mapping_.solids()[solid].centre;
+    const Vec<D>& x = next_[i];
+    moment -= (x[0] - centre[0]) * reaction_[i][1] - (x[1] - centre[1]) * reaction_[i][0];
+  }
+  return moment;
 }
 
 template <int D>
@@ -132,6 +200,7 @@ void Coupling<D>::push(double dt) {
   else
     find_elastic(cloth_.position);
   for (std::size_t i = 0; i < force_.size(); ++i) force_[i] = cloth_.elastic[i] + carried_[i];
+  add_reactions();
   for (auto& f : flow_.force()) f.fill(0);
   boundary_.spread(force_, flow_.force());
 }
@@ -148,6 +217,8 @@ typename Coupling<D>::Report Coupling<D>::move(double dt) {
                                         static_cast<std::size_t>(g.node(p, 0)),
                                         static_cast<std::size_t>(g.sheet.nodes()))));
   }
+  report_.barrier = barrier_.accept(next_, dt);
+  report_.barrier.touched += static_cast<int>(held_.size());
   cloth_.velocity_before = cloth_.velocity;
   double squares = 0;
   for (std::size_t i = 0; i < next_.size(); ++i) {
@@ -158,7 +229,6 @@ typename Coupling<D>::Report Coupling<D>::move(double dt) {
     report_.largest_slip = std::max(report_.largest_slip, slip);
   }
   report_.slip = std::sqrt(squares / static_cast<double>(next_.size()));
-  report_.barrier = barrier_.hold(cloth_, dt);
   last_step_ = dt;
   return report_;
 }

@@ -36,18 +36,24 @@ class Coupling {
   /// On return the cloth is at its new place, outside all solids.
   Report move(double dt);
 
+  /// Moment of the contact forces on a solid about its axis [N m], in the last step.
+  double contact_moment(std::size_t solid) const;
+
   const ImmersedBoundary<D>& boundary() const { return boundary_; }
 
  private:
   using Nodes = std::vector<Vec<D>>;
   void find_inertia();
   void solve(double dt);
-  void solve_group(std::size_t g);
+  void solve_group(std::size_t g, const std::vector<int>& pieces);
+  void keep_out(double dt);
+  void add_reactions();
   void find_elastic(const Nodes& X);
   void share_among_ranks(Nodes& values, std::size_t g) const;
 
   Flow<D>& flow_;
   Cloth<D>& cloth_;
+  const DomainMapping<D>& mapping_;
   Scheme scheme_;
   ImmersedBoundary<D> boundary_;
   Barrier<D> barrier_;
@@ -55,8 +61,11 @@ class Coupling {
   std::vector<std::vector<int>> mine_;  ///< pieces of each group that this rank solves
   std::vector<double> excess_;          ///< excess mass of each node [kg]
   typename ImmersedBoundary<D>::Components provisional_;
-  Nodes next_, middle_, target_, stiffness_, mobility_, carried_, water_;
-  Nodes force_;  ///< G: total force of each node on the water [N]
+  Nodes next_, middle_, target_, free_, stiffness_, mobility_, carried_, water_;
+  std::vector<int> held_by_;  ///< solid that holds each node off itself, no_solid, or free
+  std::vector<int> held_;     ///< nodes that are held off something in this step
+  Nodes reaction_;            ///< force of solids and sides on held nodes [N]
+  Nodes force_;               ///< G: total force of each node on the water [N]
   double last_step_ = 0;
   Report report_;
 };

@@ -50,9 +50,9 @@ double Simulation<D>::choose_step(double latest) {
   if (last_.dt > 0) take(growth * last_.dt, StepLimit::growth);
   if (slip_factor_ < 1) take(slip_factor_ * dt, StepLimit::slip);
   const double left = latest - last_.time;
-  const double even = left / std::ceil(left / dt - 1e-9);  // equal steps up to the sample
-  if (even < 0.999 * dt) take(even, StepLimit::sample);
-  return std::min(even, dt);
+  const double even = left / std::ceil(left / dt - 1e-3);  // equal steps up to the sample
+  if (even < 0.999 * dt) last_.limit = StepLimit::sample;
+  return even;
 }
 
 template <int D>
@@ -116,6 +116,8 @@ void Simulation<D>::record_impulses(double dt) {
     if (!drive.moving()) continue;
     const auto load = surface_loads<D>(grid_, mapping_, s, water());
     impulses_[s].moment += dt * load.total().torque;
+    if (coupling_ && grid_.parallel().root())
+      impulses_[s].moment += dt * coupling_->contact_moment(s);
     impulses_[s].angle += drive.angle(last_.time) - drive.angle(last_.time - dt);
     impulses_[s].time += dt;
   }

@@ -141,18 +141,19 @@ TEST(Book, FollowsFromItsSeed) {
   const auto one = place(wash(16, 1)), again = place(wash(16, 1)), other = place(wash(16, 2));
   EXPECT_EQ(one, again);
   EXPECT_GT((one[0] - other[0]).norm(), 1e-4);
-  EXPECT_LT((one[0] - Vec<3>(0, 0, 0)).norm(), 1e-9) << one[0].transpose();
+  EXPECT_LT((one[0] - Vec<3>(0.14625963872, -0.00072593562, 0.08236050470)).norm(), 1e-10);
 }
 
 TEST(Book, ShiftsAndTiltsAsMuchAsAsked) {
-  Case whole = wash(64);
+  Case whole = wash(8);
   whole.solids.clear();
+  whole.domain.size[2] = 1;  // nothing in the way
   whole.cloth[0].clearance = 0;
   double shift = 0, tilt = 0;
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 64; ++seed) {
     whole.cloth[0].seed = seed;
     const auto where = place(whole);
-    for (int p = 0; p < 64; ++p) {
+    for (int p = 0; p < 8; ++p) {
       shift += std::pow(piece(where, p).centre()[2] - 0.153, 2) / 512;
       tilt += std::pow(piece(where, p).edge[0][2] / 0.15, 2) / 512;
     }
