@@ -6,8 +6,8 @@
 namespace washtub {
 namespace {
 
-constexpr double least_share = 0.02;  // of the margin, kept even by nodes that start nearer
-constexpr int passes = 3;             // over the surfaces, for corners between them
+constexpr double least = 0.02;  // of the smallest spacing, kept even by nodes that start nearer
+constexpr int passes = 3;       // over the surfaces, for corners between them
 
 }  // namespace
 
@@ -17,7 +17,7 @@ Barrier<D>::Barrier(const Grid<D>& grid, const DomainMapping<D>& mapping,
     : grid_(grid),
       mapping_(mapping),
       widest_(0.5 * grid.mesh().h.maxCoeff()),
-      share_(start.size(), 0),
+      kept_(start.size(), 0),
       clearance_(start.size(), 0),
       accepted_(start) {
   for (const auto& solid : mapping.solids())
@@ -70,7 +70,8 @@ bool Barrier<D>::project(Vec<D>& x, int node, int& solid, double& depth) const {
     double worst = 0;
     Surface hit{};
     for_near(x, [&](const Surface& s) {
-      const double excess = s.psi + share_[static_cast<std::size_t>(node)] * margin(s.normal);
+      const double excess =
+          s.psi + std::min(margin(s.normal), kept_[static_cast<std::size_t>(node)]);
       if (excess > worst) worst = excess, hit = s;
     });
     if (worst <= 1e-12 * widest_) break;
@@ -107,16 +108,16 @@ typename Barrier<D>::Report Barrier<D>::accept(std::vector<Vec<D>>& X, double dt
     clearance_[i] -= travel(X[i] - accepted_[i], dt);
     if (clearance_[i] <= 0) {
       int solid = no_solid;
-      double depth = 0, nearest = 1;
+      double depth = 0, nearest = 1e30;
       report.touched += project(X[i], static_cast<int>(i), solid, depth);
       report.penetration = std::max(report.penetration, depth);
       bool near = false;
       const double clear = for_near(X[i], [&](const Surface& s) {
         near = true;
-        nearest = std::min(nearest, -s.psi / margin(s.normal));
+        nearest = std::min(nearest, -s.psi);
       });
       clearance_[i] = near ? 0 : clear;
-      share_[i] = std::max({share_[i], least_share, std::min(nearest, 1.0)});
+      kept_[i] = std::max(nearest, least * grid_.mesh().h.minCoeff());
     }
     accepted_[i] = X[i];
   }

@@ -50,7 +50,7 @@ class Barrier {
   const DomainMapping<D>& mapping_;
   double widest_;                  ///< half the largest spacing [m]
   double fastest_ = 0;             ///< bound of the speed of any solid's matter in the box [m/s]
-  std::vector<double> share_;      ///< of the margin that each node has to keep, up to 1
+  std::vector<double> kept_;       ///< distance to the nearest surface at last [m]
   std::vector<double> clearance_;  ///< distance to go before a node has to be looked at again [m]
   std::vector<Vec<D>> accepted_;
   std::vector<Contact> contacts_;

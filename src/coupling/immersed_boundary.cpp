@@ -33,7 +33,11 @@ typename ImmersedBoundary<D>::Line ImmersedBoundary<D>::line(double x, int axis,
   const int n = mesh.cells[axis];
   const double cells = (x - mesh.lower[axis]) / mesh.h[axis] - (on_faces ? 0.0 : 0.5);
   Line l{static_cast<int>(std::floor(cells)) - 1, kernel_weights(kernel_, cells)};
-  if (mesh.periodic[axis] || (l.start >= 0 && l.start + kernel_points <= n)) return l;
+  if (mesh.periodic[axis]) {
+    l.start = (l.start % n + n) % n;
+    return l;
+  }
+  if (l.start >= 0 && l.start + kernel_points <= n) return l;
   Line folded{std::clamp(l.start, 0, n - kernel_points), {}};
   for (int m = 0; m < kernel_points; ++m) {
     int i = l.start + m;
@@ -59,7 +63,7 @@ bool ImmersedBoundary<D>::reaches_block(const Stencil& s) const {
     for (const Line* l : {&s.face[d], &s.centre[d]})
       for (int m = 0; m < kernel_points; ++m) {
         const int n = grid_.mesh().cells[d];
-        const int i = (l->start + m + n) % n - block.offset[d];
+        const int i = (l->start + m) % n - block.offset[d];
         any = any || (i >= 0 && i < block.count[d]);
       }
     if (!any) return false;
@@ -81,31 +85,35 @@ void ImmersedBoundary<D>::place(const std::vector<Vec<D>>& X) {
   }
 }
 
-/// Calls visit(memory position of the row, first cell along x, weights along x, weight of the row)
-/// for the rows of a stencil that this rank owns.
+/// The grid lines of `l` along an axis other than x that run through this rank.
+template <int D>
+typename ImmersedBoundary<D>::OwnLines ImmersedBoundary<D>::own(const Line& l, int axis) const {
+  const auto& block = grid_.block();
+  const int n = grid_.mesh().cells[axis];
+  OwnLines lines;
+  for (int m = 0; m < kernel_points; ++m) {
+    int i = l.start + m;
+    i = (i < n ? i : i - n) - block.offset[axis];
+    if (i < 0 || i >= block.count[axis]) continue;
+    lines.offset[lines.count] = block.stride[axis] * i;
+    lines.weight[lines.count++] = l.weight[m];
+  }
+  return lines;
+}
+
+/// Calls visit(memory position of the row, weight) for the rows of a stencil that this rank owns.
 template <int D>
 template <class Visit>
 void ImmersedBoundary<D>::for_rows(const Stencil& s, int component, Visit&& visit) const {
-  const auto& block = grid_.block();
-  const auto along = [&](int d) -> const Line& { return d == component ? s.face[d] : s.centre[d]; };
-  const auto local = [&](int d, int m) {
-    const int n = grid_.mesh().cells[d];
-    return (along(d).start + m + n) % n - block.offset[d];
-  };
-  const Line& x = along(0);
-  for (int m = 0; m < kernel_points; ++m) {
-    const int k = local(D - 1, m);
-    if (k < 0 || k >= block.count[D - 1]) continue;
-    const double wk = along(D - 1).weight[m];
-    if constexpr (D == 2) {
-      visit(block.row(0, k), x.start, x.weight, wk);
-    } else {
-      for (int q = 0; q < kernel_points; ++q) {
-        const int j = local(1, q);
-        if (j < 0 || j >= block.count[1]) continue;
-        visit(block.row(j, k), x.start, x.weight, wk * along(1).weight[q]);
-      }
-    }
+  const long first = grid_.block().row(0, 0);
+  const OwnLines planes = own(s.along(D - 1, component), D - 1);
+  if constexpr (D == 2) {
+    for (int k = 0; k < planes.count; ++k) visit(first + planes.offset[k], planes.weight[k]);
+  } else {
+    const OwnLines rows = own(s.along(1, component), 1);
+    for (int k = 0; k < planes.count; ++k)
+      for (int j = 0; j < rows.count; ++j)
+        visit(first + planes.offset[k] + rows.offset[j], planes.weight[k] * rows.weight[j]);
   }
 }
 
@@ -120,20 +128,24 @@ void ImmersedBoundary<D>::spread(const std::vector<Vec<D>>& G, Components& f) co
     force *= per_volume;
     const auto& s = stencils_[static_cast<std::size_t>(m)];
     for (int c = 0; c < D; ++c) {
+      const Line& x = s.along(0, c);
       double* field = f[c].data();
-      for_rows(s, c, [&](long row, int i0, const auto& w, double weight) {
-        double* q = field + row;
-        const double g = weight * force[c];
-        if (i0 >= 0 && i0 + kernel_points <= n)
-          for (int i = 0; i < kernel_points; ++i) q[i0 + i] += g * w[i];
-        else
-          for (int i = 0; i < kernel_points; ++i) q[(i0 + i + n) % n] += g * w[i];
-      });
+      Weights g = x.weight;
+      for (double& w : g) w *= force[c];
+      if (x.start + kernel_points <= n)
+        for_rows(s, c, [&](long row, double weight) {
+          double* q = field + row + x.start;
+          for (int i = 0; i < kernel_points; ++i) q[i] += weight * g[i];
+        });
+      else
+        for_rows(s, c, [&](long row, double weight) {
+          for (int i = 0; i < kernel_points; ++i) field[row + (x.start + i) % n] += weight * g[i];
+        });
     }
   }
 }
 
-/// U_i = sum over its markers of share times velocity(marker, component, row, face along x).
+/// U_i = sum over its markers of share times value(component, memory position).
 template <int D>
 template <class Value>
 void ImmersedBoundary<D>::gather(Value&& value, std::vector<Vec<D>>& U) const {
@@ -143,16 +155,19 @@ void ImmersedBoundary<D>::gather(Value&& value, std::vector<Vec<D>>& U) const {
     const auto& s = stencils_[static_cast<std::size_t>(m)];
     Vec<D> u;
     for (int c = 0; c < D; ++c) {
-      double sum = 0;
-      for_rows(s, c, [&](long row, int i0, const auto& w, double weight) {
-        double part = 0;
-        if (i0 >= 0 && i0 + kernel_points <= n)
-          for (int i = 0; i < kernel_points; ++i) part += w[i] * value(c, row + i0 + i);
-        else
-          for (int i = 0; i < kernel_points; ++i) part += w[i] * value(c, row + (i0 + i + n) % n);
-        sum += weight * part;
-      });
-      u[c] = sum;
+      const Line& x = s.along(0, c);
+      Weights sum{};  // over the rows, for each place along x
+      if (x.start + kernel_points <= n)
+        for_rows(s, c, [&](long row, double weight) {
+          for (int i = 0; i < kernel_points; ++i) sum[i] += weight * value(c, row + x.start + i);
+        });
+      else
+        for_rows(s, c, [&](long row, double weight) {
+          for (int i = 0; i < kernel_points; ++i)
+            sum[i] += weight * value(c, row + (x.start + i) % n);
+        });
+      u[c] = 0;
+      for (int i = 0; i < kernel_points; ++i) u[c] += x.weight[i] * sum[i];
     }
     for (int c = 0; c < Markers<D>::corners; ++c)
       U[markers_.nodes(m)[c]] += markers_.share(m)[c] * u;

@@ -43,15 +43,26 @@ class ImmersedBoundary {
   double marker_spacing() const { return spacing_; }
 
  private:
-  /// Four neighbouring grid lines along one axis, all inside the box.
+  using Weights = std::array<double, kernel_points>;
+  /// Neighbouring grid lines along one axis; on a periodic one the last of them may be the first of
+  /// the box again.
   struct Line {
-    int start;
-    std::array<double, kernel_points> weight;
+    int start;  ///< from 0 to below the number of cells
+    Weights weight;
   };
   struct Stencil {
     std::array<Line, D> face, centre;  ///< along an axis: on faces normal to it, on cell centres
+    const Line& along(int axis, int component) const {
+      return axis == component ? face[axis] : centre[axis];
+    }
+  };
+  struct OwnLines {
+    int count = 0;
+    std::array<long, kernel_points> offset;  ///< in memory, from the first row of the block
+    Weights weight;
   };
   Line line(double x, int axis, bool on_faces) const;
+  OwnLines own(const Line& l, int axis) const;
   bool reaches_block(const Stencil& s) const;
   template <class Visit>
   void for_rows(const Stencil& s, int component, Visit&& visit) const;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <random>
 
 #include "base/error.hpp"
@@ -16,8 +17,9 @@
 namespace washtub {
 namespace {
 
-constexpr int most_draws = 100000;  // of one piece
-constexpr double fineness = 1e-4;   // of the search for solids, in edge lengths
+constexpr int most_draws = 10000;  // of one piece, before its group starts again
+constexpr int most_starts = 20;    // of a group
+constexpr double fineness = 1e-4;  // of the search for solids, in edge lengths
 
 class Draw {
  public:
@@ -68,9 +70,14 @@ class Placer {
       for (int p = 0; p < group.pieces; ++p) placed_.push_back(flat_piece(others, group, p));
   }
 
-  const Rectangle& place_next() {
-    placed_.push_back(cloth_.arrangement == Arrangement::sheet ? sheet() : free_place());
-    return placed_.back();
+  /// The pieces of the group.
+  std::vector<Rectangle> place() {
+    const auto first = placed_.end() - placed_.begin();
+    for (int start = 0; start < most_starts; ++start) {
+      placed_.resize(first);
+      if (fill()) return {placed_.begin() + first, placed_.end()};
+    }
+    throw no_place();
   }
 
  private:
@@ -99,23 +106,37 @@ class Placer {
     return centred(centre, r, s, size());
   }
 
-  Rectangle free_place() {
-    std::map<std::string, int> hits;
+  bool fill() {
+    for (int p = 0; p < cloth_.count; ++p) {
+      const auto piece = cloth_.arrangement == Arrangement::sheet ? sheet() : free_place();
+      if (!piece) return false;
+      placed_.push_back(*piece);
+    }
+    return true;
+  }
+
+  std::optional<Rectangle> free_place() {
+    hits_.clear();
     for (int k = 0; k < most_draws; ++k) {
       const Rectangle piece = cloth_.arrangement == Arrangement::book ? page() : anywhere();
       const std::string what = obstacle(piece, cloth_.clearance, false);
       if (what.empty()) return piece;
-      ++hits[what];
+      ++hits_[what];
     }
-    const auto less = [](const auto& a, const auto& b) { return a.second < b.second; };
-    throw InputError(fmt::format(
-        "cloth {} of {}: no free place in {} draws; most often it comes nearer than {:.3g} m to "
-        "{}; try a smaller cloth.count, cloth.size or cloth.clearance, or another cloth.seed",
-        placed_.size(), pieces_, most_draws, cloth_.clearance,
-        std::max_element(hits.begin(), hits.end(), less)->first));
+    return {};
   }
 
-  Rectangle sheet() const {
+  InputError no_place() const {
+    const auto less = [](const auto& a, const auto& b) { return a.second < b.second; };
+    return InputError(fmt::format(
+        "cloth {} of {}: no free place in {} draws, {} times over; most often it comes nearer than "
+        "{:.3g} m to {}; try a smaller cloth.count, cloth.size or cloth.clearance, or another "
+        "cloth.seed",
+        placed_.size(), pieces_, most_draws, most_starts, cloth_.clearance,
+        std::max_element(hits_.begin(), hits_.end(), less)->first));
+  }
+
+  std::optional<Rectangle> sheet() const {
     const auto& [r, s] = cloth_.along;
     const bool skew = D == 3 && (std::abs(s.norm() - 1) > 1e-9 || std::abs(r.dot(s)) > 1e-9);
     if (std::abs(r.norm() - 1) > 1e-9 || skew)
@@ -134,13 +155,13 @@ class Placer {
 
   /// What is nearer than `clearance`; empty if nothing is.
   std::string obstacle(const Rectangle& piece, double clearance, bool may_wrap) const {
+    for (const Rectangle& other : placed_)
+      if (hits(other, piece, clearance)) return "other pieces";
     if (std::string side = side_hit(piece, clearance, may_wrap); !side.empty()) return side;
     const double resolution = fineness * piece.edge[0].norm();
     for (std::size_t i = 0; i < solids_.size(); ++i)
       if (!is_clear_of(solids_[i], piece, clearance, resolution))
         return fmt::format("solid \"{}\"", whole_.solids[i].name);
-    for (std::size_t i = 0; i < placed_.size(); ++i)
-      if (hits(placed_[i], piece, clearance)) return "other pieces";
     return {};
   }
 
@@ -171,9 +192,10 @@ class Placer {
   const ClothCase& cloth_;
   const Case& whole_;
   Draw draw_;
-  std::vector<SolidPose> solids_;  ///< at t = 0
-  std::vector<Rectangle> placed_;  ///< of all groups so far
-  int pieces_ = 0;                 ///< of all groups
+  std::vector<SolidPose> solids_;    ///< at t = 0
+  std::vector<Rectangle> placed_;    ///< of all groups so far
+  int pieces_ = 0;                   ///< of all groups
+  std::map<std::string, int> hits_;  ///< what the last piece met, and how often
 };
 
 }  // namespace
@@ -184,12 +206,10 @@ std::vector<Vec<D>> place_cloth(const ClothCase& cloth, std::array<int, 2> nodes
   const auto along = [](int i, int n) { return n > 1 ? static_cast<double>(i) / (n - 1) : 0; };
   Placer<D> placer(cloth, whole, others);
   std::vector<Vec<D>> where;
-  for (int p = 0; p < cloth.count; ++p) {
-    const Rectangle& piece = placer.place_next();
+  for (const Rectangle& piece : placer.place())
     for (int j = 0; j < nodes[1]; ++j)
       for (int i = 0; i < nodes[0]; ++i)
         where.push_back(piece.at(along(i, nodes[0]), along(j, nodes[1])).template head<D>());
-  }
   return where;
 }
 

@@ -17,7 +17,8 @@ namespace washtub {
 /// sheet   one piece from `origin` along two directions
 ///
 /// Pages and random pieces are drawn again until they are at least `clearance` from every solid,
-/// every side of the box and every piece before them. The draws come from std::mt19937_64(seed),
+/// every side of the box and every piece before them; where one finds no place, its group starts
+/// again with other draws. The draws come from std::mt19937_64(seed),
 /// uniform numbers from its upper 53 bits and normal ones from those by Box and Muller, so that a
 /// seed gives the same start everywhere.
 ///

@@ -47,11 +47,12 @@ struct MaskedPoisson {
     }
     return sum;
   }
-  /// Sets the source to source(position) less its mean over the live cells `mean`.
+  /// Sets the source to source(position) in the live cells.
   template <class Source>
   void set_source(Source&& source) {
     for_live([&](const Index<D>& c, long p) { mg.source()[p] = source(grid.position(c)); });
   }
+  /// Takes the mean over the live cells of all ranks out of the source.
   void make_compatible() {
     std::array<double, 2> sums{};
     for_live([&](const Index<D>&, long p) { sums[0] += mg.source()[p], sums[1] += 1; });

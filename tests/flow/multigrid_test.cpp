@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/error.hpp"
 #include "flow/masked_poisson.hpp"
 #include "support/wash_tub.hpp"
 
@@ -123,6 +124,17 @@ TEST(Multigrid, ClosedPocketsGetACompatibleSourceEach) {
   EXPECT_TRUE(report.converged);
   EXPECT_LE(report.cycles, 40);
   EXPECT_LE(rooms.residual(expected), 2e-9);
+}
+
+TEST(Multigrid, RefusesCellsThatCannotBeHalved) {
+  for (const int n : {33, 4}) try {
+      coarsen(cubic_mesh<2>(Vec<2>::Zero(), 1, n));
+      FAIL() << n << " cells have no coarser level";
+    } catch (const InputError& error) {
+      const auto cells = std::to_string(n) + " x " + std::to_string(n) + " cells";
+      EXPECT_EQ(std::string(error.what()).rfind(cells, 0), 0U) << error.what();
+    }
+  EXPECT_NO_THROW(coarsen(cubic_mesh<2>(Vec<2>::Zero(), 1, 66)));
 }
 
 /// A cell that only solid surrounds has no pressure, whatever its source.

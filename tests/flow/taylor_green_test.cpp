@@ -38,7 +38,6 @@ std::unique_ptr<WaterBox<2>> run(int n, int steps, double time) {
 TEST(VerificationTaylorGreen, SecondOrderInSpace) {
   std::array<double, 3> e;
   for (int i = 0; i < 3; ++i) e[i] = run(16 << i, 400, 0.5)->error(CarriedVortex{0.5});
-  std::printf("space %g %g %g\n", e[0], e[1], e[2]);
   EXPECT_GT(e[0] / e[1], 3.6);
   EXPECT_GT(e[1] / e[2], 3.6);
   EXPECT_LE(e[2], 2e-3);
@@ -57,7 +56,6 @@ double difference(const WaterBox<2>& a, const WaterBox<2>& b) {
 TEST(VerificationTaylorGreen, SecondOrderInTime) {
   const auto coarse = run(32, 20, 1), medium = run(32, 40, 1), fine = run(32, 80, 1);
   const double first = difference(*coarse, *medium), second = difference(*medium, *fine);
-  std::printf("time %g %g\n", first, second);
   EXPECT_GT(first / second, 3.6);
   EXPECT_LT(first / second, 4.6);
 }

@@ -198,7 +198,7 @@ TEST(RandomPieces, KeepTheirClearance) {
 
 TEST(RandomPieces, SayWhenTheTubIsFull) {
   EXPECT_THAT(error_of(flat_wash(300)),
-              AllOf(HasSubstr("of 300: no free place"), HasSubstr("0.01 m")));
+              AllOf(HasSubstr("of 300: no free place"), HasSubstr("0.01 m to other pieces")));
 }
 
 TEST(RandomPieces, PointAnywhereInSpace) {

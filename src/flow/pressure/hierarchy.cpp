@@ -1,10 +1,23 @@
 #include "flow/pressure/hierarchy.hpp"
 
+#include <string>
+
+#include "base/error.hpp"
+
 namespace washtub {
 namespace {
 
 constexpr double similar = 1.4;      // spacings within this ratio are coarsened together
 constexpr long gather_below = 4096;  // cells under which a level is not worth distributing
+
+template <int D>
+[[noreturn]] void refuse(const Mesh<D>& mesh) {
+  std::string cells;
+  for (const int n : mesh.cells) cells += (cells.empty() ? "" : " x ") + std::to_string(n);
+  throw InputError(cells +
+                   " cells: the pressure solver must halve them along the axes of finest spacing; "
+                   "try multiples of 16");
+}
 
 }  // namespace
 
@@ -32,6 +45,7 @@ std::vector<Coarsening<D>> coarsen(const Mesh<D>& mesh) {
     gathered = gathered || total <= gather_below;
     levels.push_back({factor, cells, h, gathered});
   }
+  if (levels.empty()) refuse(mesh);
   return levels;
 }
 

@@ -16,7 +16,8 @@ struct Coarsening {
 
 /// Levels below the mesh: each doubles every axis whose spacing is under 1.4 times the smallest, so
 /// flat cells are first coarsened along their short edge. A function of the mesh alone, hence equal
-/// on every number of ranks.
+/// on every number of ranks. At least one level.
+/// @throws InputError where the number of cells cannot be halved even once.
 template <int D>
 std::vector<Coarsening<D>> coarsen(const Mesh<D>& mesh);
 

@@ -14,7 +14,7 @@ constexpr double omega = 1.15;    // over-relaxation of every sweep
 constexpr int finest_sweeps = 2;  // after the coarse correction; none before it
 constexpr int coarse_sweeps = 1;
 constexpr int coarsest_sweeps = 16;
-constexpr double stall = 0.5;            // a slower factor twice running calls for Krylov
+constexpr double stall = 0.5;  // a slower factor twice running calls for Krylov
 
 }  // namespace
 

@@ -1,0 +1,105 @@
+#include "coupling/barrier.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace washtub;
+
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double h = 1.0 / 16, speed = 2;
+
+/// A unit box, periodic along x, with a turning disc in its middle.
+struct Room {
+  Grid<2> grid;
+  DomainMapping<2> mapping;
+
+  static Mesh<2> mesh() { return {{0, 0}, {h, h}, {16, 16}, {true, false}}; }
+  static Solid disc() {
+    return {"disc", cylinder(0.2, -inf, inf), {0.5, 0.5, 0}, constant_speed(speed)};
+  }
+  Room() : grid(mesh(), Parallel(), {1, 1}), mapping(grid, {disc()}, 0) { mapping.update(0); }
+};
+
+double psi(const Vec<2>& x) { return 0.2 - (x - Vec<2>(0.5, 0.5)).norm(); }
+
+}  // namespace
+
+TEST(Barrier, LeavesNodesAloneThatKeepTheirDistance) {
+  const Room room;
+  const std::vector<Vec<2>> start = {
+      {0.1, 0.5}, {0.5, 0.9}, {0.5 + 0.2 + 0.51 * h, 0.5}, {-3, 0.1}};
+  Barrier<2> barrier(room.grid, room.mapping, start);
+  auto X = start;
+  EXPECT_TRUE(barrier.find(X, 0.01).empty());
+  const auto report = barrier.accept(X, 0.01);
+  EXPECT_EQ(X, start);
+  EXPECT_EQ(report.touched, 0);
+  EXPECT_EQ(report.penetration, 0);
+}
+
+TEST(Barrier, PutsNodesHalfACellBeforeTheSurface) {
+  const Room room;
+  const std::vector<Vec<2>> start = {{0.5, 0.8}, {0.1, 0.1}, {0.1, 0.9}, {0.3, 0.9}};
+  Barrier<2> barrier(room.grid, room.mapping, start);
+  std::vector<Vec<2>> X = {{0.53, 0.66}, {0.15, -0.2}, {0.12, 1.1}, {0.3, 0.85}};
+  const auto contacts = barrier.find(X, 0.1);
+  ASSERT_EQ(contacts.size(), 3u);
+  EXPECT_EQ(contacts[0].node, 0);
+  EXPECT_EQ(contacts[0].solid, 0);
+  EXPECT_EQ(contacts[1].solid, Barrier<2>::no_solid);
+  const auto report = barrier.accept(X, 0.1);
+  EXPECT_EQ(report.touched, 3);
+  EXPECT_NEAR(report.penetration, 0.2, 1e-12);  // of the floor; the disc: 0.04
+  EXPECT_NEAR(psi(X[0]), -0.5 * h, 1e-9);
+  EXPECT_NEAR((X[0] - Vec<2>(0.5, 0.5)).normalized().dot(Vec<2>(0.03, 0.16).normalized()), 1, 1e-6);
+  EXPECT_LT((X[0] - contacts[0].to).norm(), 1e-12);
+  EXPECT_LT((X[1] - Vec<2>(0.15, 0.5 * h)).norm(), 1e-12);
+  EXPECT_LT((X[2] - Vec<2>(0.12, 1 - 0.5 * h)).norm(), 1e-12);
+  EXPECT_EQ(X[3], Vec<2>(0.3, 0.85));
+}
+
+TEST(Barrier, LetsNodesThatStartNearStayButNotGoDeeper) {
+  const Room room;
+  const std::vector<Vec<2>> start = {{0.5, 0.2 * h}};
+  Barrier<2> barrier(room.grid, room.mapping, start);
+  std::vector<Vec<2>> X = {{0.5, 0.15 * h}};
+  barrier.accept(X, 0.01);
+  EXPECT_NEAR(X[0][1], 0.2 * h, 1e-12);
+  X[0][1] = 0.4 * h;  // on its way out
+  barrier.accept(X, 0.01);
+  EXPECT_NEAR(X[0][1], 0.4 * h, 1e-12);
+  X[0][1] = 0.3 * h;
+  barrier.accept(X, 0.01);
+  EXPECT_NEAR(X[0][1], 0.4 * h, 1e-12);
+}
+
+TEST(Barrier, FindsNodesThatComeFromFarInSmallSteps) {
+  const Room room;
+  std::vector<Vec<2>> X = {{0.05, 0.5}};
+  Barrier<2> barrier(room.grid, room.mapping, X);
+  for (int step = 0; step < 100; ++step) {
+    X[0][0] += 0.003;
+    barrier.accept(X, 0.01);
+    ASSERT_LE(psi(X[0]), -0.5 * h + 1e-9);
+  }
+  EXPECT_NEAR(X[0][0], 0.3 - 0.5 * h, 1e-6);
+}
+
+TEST(Barrier, MovesNodesOutOfTheWayOfAFin) {
+  Grid<2> grid(Room::mesh(), Parallel(), {1, 1});
+  const Solid fin{
+      "fin", capsule({0, 0, 0}, {0.4, 0, 0}, 0.04), {0.5, 0.5, 0}, constant_speed(speed)};
+  DomainMapping<2> mapping(grid, {fin}, 0);
+  mapping.update(0);
+  std::vector<Vec<2>> X = {{0.5, 0.75}};
+  Barrier<2> barrier(grid, mapping, X);
+  for (int step = 1; step <= 100; ++step) {
+    mapping.update(0.01 * step);
+    barrier.accept(X, 0.01);
+    ASSERT_LE(fin.psi({X[0][0], X[0][1], 0}, 0.01 * step), -0.5 * h + 1e-9) << step;
+  }
+  EXPECT_LT(X[0][0], 0.45);  // swept along
+}

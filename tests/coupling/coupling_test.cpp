@@ -1,0 +1,267 @@
+#include "coupling/coupling.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "cloth/plate.hpp"
+#include "cloth/thread.hpp"
+#include "coupling/dots.hpp"
+#include "support/water_box.hpp"
+
+using namespace washtub;
+using namespace washtub::testing;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr Material table_4{8e5, 3e2, 1e-5, 1e-5, 0, 0, 2.4e-4};
+
+/// A periodic box of water with cloth in it.
+template <int D>
+struct Pool {
+  WaterBox<D> water;
+  Cloth<D> cloth;
+  Coupling<D> coupling;
+
+  Pool(const Mesh<D>& mesh, double viscosity, const Cloth<D>& cloth_, Scheme scheme,
+       const Parallel& parallel = Parallel())
+      : water(setup(mesh, viscosity), parallel),
+        cloth(cloth_),
+        coupling(water.flow, cloth, water.mapping, Kernel::cosine, {}, scheme) {}
+
+  static WaterSetup<D> setup(const Mesh<D>& mesh, double viscosity) {
+    WaterSetup<D> s{mesh, {}, 1000, viscosity};
+    for (auto& axis : s.sides)
+      for (auto& side : axis) side.kind = Side<D>::Kind::periodic;
+    return s;
+  }
+  typename Coupling<D>::Report step(double dt, double tolerance = 1e-6) {
+    water.move_solids(dt);
+    water.flow.predict(dt);
+    coupling.push(dt);
+    const auto flow = water.flow.project(dt, tolerance, 60);
+    kinetic = flow.kinetic;
+    return coupling.move(dt);
+  }
+  double elastic() const {
+    double w = 0;
+    for (const auto& g : cloth.groups)
+      for (int p = 0; p < g.pieces; ++p) w += g.sheet.energy(cloth.piece(g, p));
+    return w;
+  }
+  Vec<D> force() const { return total<D>(water.grid, water.flow.force()); }
+  double largest_force() const {
+    double f = 0;
+    for (const auto& e : cloth.elastic) f = std::max(f, e.norm());
+    return f;
+  }
+  double energy() const { return elastic() + kinetic; }
+
+  double kinetic = 0;  ///< of the water after the last step [J]
+};
+
+/// The lateral spacing of the wash at 32 cells, three times finer upwards.
+Mesh<3> wash_like() {
+  const double h = 0.7128 / 32;
+  return {Vec<3>::Constant(0), {h, h, h / 3}, {16, 16, 32}, {true, true, true}};
+}
+
+/// A plate of 5 x 5 nodes and 15 cm, tilted out of every plane, stretched `by` along its first
+/// edge.
+Cloth<3> tilted_plate(const Material& material, double by = 1) {
+  const auto sheet = make_plate({5, 5}, {0.0375, 0.0375}, material);
+  const Vec<3> r = Vec<3>(2, 1, 0.5).normalized(), s = Vec<3>(-0.25, 0, 1).normalized();
+  std::vector<Vec<3>> where;
+  for (int j = 0; j < 5; ++j)
+    for (int i = 0; i < 5; ++i)
+      where.push_back(Vec<3>(0.18, 0.18, 0.12) + 0.0375 * ((i - 2) * by * r + (j - 2) * s));
+  Cloth<3> cloth;
+  cloth.add(sheet, where);
+  return cloth;
+}
+
+Cloth<2> stretched_thread(double by, double excess = 0) {
+  std::vector<Vec<2>> where;
+  for (int i = 0; i < 9; ++i) where.emplace_back(0.5 + 0.05 * by * (i - 4), 0.5 + 0.01 * i);
+  Cloth<2> cloth;
+  cloth.add(make_thread(9, 0.05, {200, 0, 1e-3, 0, 0, excess, 1e-3}), where);
+  return cloth;
+}
+
+Mesh<2> square(int n = 32) { return cubic_mesh<2>({0, 0}, 1, n, true); }
+
+/// A shear flow in the wash-like pool, and what happened in `steps` steps of dt.
+struct Sheared {
+  double strain = 0, slip = 0, late_slip = 0;
+  int iterations = 0;
+};
+Sheared shear(Scheme scheme, double dt, int steps) {
+  Pool<3> pool(wash_like(), 1, tilted_plate(table_4), scheme);
+  const double L = wash_like().size()[2];
+  pool.water.start_from(
+      [&](int d, const Vec<3>& x) { return d == 0 ? 0.5 * std::sin(2 * pi * x[2] / L) : 0.0; });
+  Sheared s;
+  for (int i = 0; i < steps && s.strain < 1; ++i) {
+    const auto r = pool.step(dt, 1e-4);
+    s.strain = std::max(s.strain, std::isnan(r.largest_strain) ? 1 : r.largest_strain);
+    s.slip = std::max(s.slip, r.slip);
+    if (i >= steps / 2) s.late_slip = std::max(s.late_slip, r.slip);
+    s.iterations = std::max(s.iterations, r.iterations);
+  }
+  return s;
+}
+
+/// A square tank with walls and a fin that turns in its middle.
+struct FinTank {
+  WaterBox<2> water;
+  Cloth<2> cloth;
+  Coupling<2> coupling;
+
+  explicit FinTank(Scheme scheme)
+      : water({cubic_mesh<2>({0, 0}, 1, 32),
+               {{"fin", capsule({0, 0, 0}, {0.35, 0, 0}, 0.04), {0.5, 0.5, 0}, constant_speed(2)}},
+               1000,
+               1}),
+        cloth(thread_above_fin()),
+        coupling(water.flow, cloth, water.mapping, Kernel::cosine,
+                 {{{Reflection::odd, Reflection::odd}, {Reflection::odd, Reflection::odd}}},
+                 scheme) {}
+
+  static Cloth<2> thread_above_fin() {
+    std::vector<Vec<2>> where;
+    for (int i = 0; i < 9; ++i) where.emplace_back(0.45 + 0.05 * i, 0.557);
+    Cloth<2> cloth;
+    cloth.add(make_thread(9, 0.05, {5e3, 0, 1e-3, 0, 0, 0, 1e-3}), where);
+    return cloth;
+  }
+  Coupling<2>::Report step(double dt) {
+    water.move_solids(dt);
+    water.flow.predict(dt);
+    coupling.push(dt);
+    water.flow.project(dt, 1e-4, 60);
+    return coupling.move(dt);
+  }
+  /// Largest psi of the fin over the nodes [m].
+  double deepest() const {
+    double psi = -1;
+    for (const auto& x : cloth.position)
+      psi = std::max(psi, water.mapping.solids()[0].psi({x[0], x[1], 0}, water.t));
+    return psi;
+  }
+};
+
+}  // namespace
+
+class EitherScheme : public ::testing::TestWithParam<Scheme> {};
+INSTANTIATE_TEST_SUITE_P(Coupling, EitherScheme,
+                         ::testing::Values(Scheme::implicit, Scheme::explicit_euler));
+
+TEST_P(EitherScheme, ClothGoesWithAUniformStream) {
+  Pool<3> pool(wash_like(), 1, tilted_plate(table_4), GetParam());
+  const Vec<3> U(0.3, -0.2, 0.1);
+  pool.water.start_from([&](int d, const Vec<3>&) { return U[d]; });
+  const auto start = pool.cloth.position;
+  for (int i = 0; i < 5; ++i) pool.step(4e-4);
+  for (std::size_t i = 0; i < start.size(); ++i)
+    EXPECT_LT((pool.cloth.position[i] - start[i] - 2e-3 * U).norm(), 1e-14);
+  EXPECT_LT(pool.largest_force(), 1e-9);  // K_e times a node spacing is 3e4 N
+}
+
+TEST_P(EitherScheme, RelaxationLosesEnergyAndNoMomentum) {
+  Pool<2> pool(square(), 1, stretched_thread(1.05), GetParam());
+  const double dt = GetParam() == Scheme::implicit ? 2e-3 : 2e-4;
+  const double start = pool.elastic();
+  double before = start;
+  for (int i = 0; i < 60; ++i) {
+    pool.step(dt);
+    EXPECT_LT(pool.force().norm(), 1e-13 * pool.largest_force());
+    EXPECT_LT(pool.energy(), before) << i;
+    before = pool.energy();
+  }
+  EXPECT_LT(pool.elastic(), 0.999 * start);
+  EXPECT_GT(pool.kinetic, 0);
+}
+
+TEST(Coupling, HeavyClothHandsItsMomentumToTheWater) {
+  constexpr double excess = 50;  // kg/m^2; the water that a node drags along has some 60
+  Pool<2> pool(square(), 1, stretched_thread(1, excess), Scheme::implicit);
+  for (auto* V : {&pool.cloth.velocity, &pool.cloth.velocity_before})
+    std::fill(V->begin(), V->end(), Vec<2>(0.1, 0.3));
+  const double mass = excess * 0.4;
+  for (int i = 0; i < 30; ++i) {
+    pool.step(2e-3, 1e-8);
+    Vec<2> momentum = 1000 * total<2>(pool.water.grid, pool.water.flow.velocity());
+    const auto& area = pool.cloth.groups[0].sheet.area;
+    for (std::size_t n = 0; n < area.size(); ++n)
+      momentum += excess * area[n] * pool.cloth.velocity[n];
+    EXPECT_LT((momentum - mass * Vec<2>(0.1, 0.3)).norm(), 1e-9 * mass);
+  }
+  EXPECT_LT(pool.cloth.velocity[4].norm(), 0.28);  // it has slowed down
+}
+
+TEST(Coupling, SchemesAgreeAtSmallSteps) {
+  const auto plate = tilted_plate({50, 10, 1e-5, 1e-5, 0, 0.093, 2.4e-4}, 1.02);
+  Pool<3> one(wash_like(), 1, plate, Scheme::implicit);
+  Pool<3> other(wash_like(), 1, plate, Scheme::explicit_euler);
+  for (int i = 0; i < 40; ++i) one.step(2e-4), other.step(2e-4);
+  double moved = 0, apart = 0;
+  for (std::size_t i = 0; i < plate.position.size(); ++i) {
+    moved = std::max(moved, (one.cloth.position[i] - plate.position[i]).norm());
+    apart = std::max(apart, (one.cloth.position[i] - other.cloth.position[i]).norm());
+  }
+  EXPECT_LT(apart, 0.02 * moved);
+  EXPECT_NEAR(one.kinetic, other.kinetic, 0.02 * other.kinetic);
+}
+
+TEST(Coupling, ImplicitSchemeCarriesStiffClothAtTheStepOfTheFlow) {
+  const auto s = shear(Scheme::implicit, 4e-4, 100);  // dt omega_max = 5e-3
+  EXPECT_LT(s.strain, 0.01);
+  EXPECT_LT(s.late_slip, 0.01 * 0.5);
+  EXPECT_LE(s.iterations, 8);
+}
+
+/// The explicit scheme blows up from 1.2e-3 s on: strains of 10 and more after 60 steps.
+TEST(Coupling, OnlyTheExplicitSchemeIsLimitedByTheCloth) {
+  const auto s = shear(Scheme::implicit, 1.6e-3, 60);
+  EXPECT_LT(s.strain, 0.01);
+  EXPECT_LT(s.late_slip, 0.01 * 0.5);
+  EXPECT_GT(shear(Scheme::explicit_euler, 1.6e-3, 30).strain, 0.1);
+}
+
+TEST(Coupling, IsTheSameOnAnyNumberOfRanks) {
+  const auto plate = tilted_plate(table_4);
+  Cloth<3> cloth = plate;
+  auto below = plate.position;
+  for (auto& x : below) x += Vec<3>(0.01, -0.05, -0.02);
+  cloth.add(plate.groups[0].sheet, below);
+  Pool<3> all(wash_like(), 1, cloth, Scheme::implicit);
+  Pool<3> one(wash_like(), 1, cloth, Scheme::implicit, Parallel(MPI_COMM_SELF));
+  for (auto* pool : {&all, &one}) {
+    pool->water.start_from(
+        [](int d, const Vec<3>& x) { return d == 0 ? 0.5 * std::sin(26 * x[2]) : 0.0; });
+    for (int i = 0; i < 10; ++i) pool->step(4e-4, 1e-9);
+  }
+  for (std::size_t i = 0; i < below.size(); ++i)
+    EXPECT_LT((all.cloth.position[i] - one.cloth.position[i]).norm(), 1e-9);
+}
+
+TEST_P(EitherScheme, FinPushesClothBeforeItself) {
+  FinTank tank(GetParam());
+  const double dt = GetParam() == Scheme::implicit ? 4e-3 : 4e-4;
+  const int steps = static_cast<int>(std::lround(0.4 / dt));
+  double moment = 0, touched = 0;
+  for (int i = 0; i < steps; ++i) {
+    const auto report = tank.step(dt);
+    touched += report.barrier.touched;
+    moment += tank.coupling.contact_moment(0) * dt;
+    ASSERT_LT(report.largest_strain, 0.2) << i;
+    ASSERT_LE(tank.deepest(), -0.49 / 32) << i;
+  }
+  EXPECT_GT(touched, 0);
+  EXPECT_GT(tank.cloth.position[4][1], 0.65);
+  if (GetParam() == Scheme::implicit) {
+    EXPECT_LT(moment, 0);  // the cloth holds the fin back
+  }
+}
