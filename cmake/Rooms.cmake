@@ -18,7 +18,9 @@ function(washtub_room room)
   endif()
 endfunction()
 
-# Tests of a room: tests/<room>/*.cpp becomes test_<room>; RANKS adds a run on so many MPI ranks.
+# Tests of a room: tests/<room>/*.cpp becomes test_<room>; WITH names further rooms they need, RANKS
+# adds a run on so many MPI ranks. Suites named Verification* take seconds: they run once, without
+# sanitizers.
 function(washtub_tests room)
   cmake_parse_arguments(ARG "" "" "RANKS;WITH" ${ARGN})
   list(TRANSFORM ARG_WITH PREPEND washtub_)
@@ -29,11 +31,15 @@ function(washtub_tests room)
   add_executable(test_${room} ${sources} ${CMAKE_SOURCE_DIR}/tests/main.cpp)
   target_link_libraries(test_${room} PRIVATE washtub_${room} ${ARG_WITH} washtub_compiler GTest::gtest GTest::gmock)
   target_include_directories(test_${room} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
-  add_test(NAME ${room} COMMAND test_${room} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+  set(quick --gtest_filter=-Verification*)
+  if(WASHTUB_SANITIZE)
+    set(filter ${quick})
+  endif()
+  add_test(NAME ${room} COMMAND test_${room} ${filter} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
   foreach(n ${ARG_RANKS})
     add_test(NAME ${room}_ranks_${n}
       COMMAND ${MPIEXEC_EXECUTABLE} --allow-run-as-root --oversubscribe ${MPIEXEC_NUMPROC_FLAG} ${n}
-              $<TARGET_FILE:test_${room}>
+              $<TARGET_FILE:test_${room}> ${quick}
       WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
     set_tests_properties(${room}_ranks_${n} PROPERTIES PROCESSORS 2)
   endforeach()

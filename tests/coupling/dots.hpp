@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "cloth/cloth.hpp"

@@ -1,0 +1,70 @@
+#include "washer/simulation.hpp"
+
+#include <gtest/gtest.h>
+
+namespace washtub {
+namespace {
+
+/// The reference wash on a coarse grid with a few pieces.
+Case small_wash(const std::vector<std::string>& more = {}) {
+  std::vector<std::string> settings = {"domain.cells=16", "cloth.count=4", "cloth.nodes=[5, 5]"};
+  settings.insert(settings.end(), more.begin(), more.end());
+  return read_case("cases/wash-3d/case.toml", settings);
+}
+
+void run_to(Simulation<3>& simulation, double end) {
+  while (simulation.time() < end - 1e-9) simulation.step(end);
+}
+
+TEST(Simulation, DoesNotDependOnTheRanks) {
+  const Case whole = small_wash();
+  Simulation<3> serial(whole, Parallel(MPI_COMM_SELF)), parallel(whole, Parallel());
+  run_to(serial, 0.02);
+  run_to(parallel, 0.02);
+  EXPECT_EQ(serial.last().number, parallel.last().number);
+  double largest = 0;
+  for (std::size_t i = 0; i < serial.cloth().position.size(); ++i)
+    largest = std::max(largest, (serial.cloth().position[i] - parallel.cloth().position[i]).norm());
+  EXPECT_LT(largest, 1e-10);
+  EXPECT_NEAR(serial.last().kinetic, parallel.last().kinetic, 1e-9 * serial.last().kinetic);
+  const double a = serial.take_impulse(1).moment, b = parallel.take_impulse(1).moment;
+  EXPECT_NEAR(a, b, 1e-7 * std::abs(a));
+}
+
+TEST(Simulation, ClothStaysOutOfSolidsAndMovesWithTheWater) {
+  Simulation<3> simulation(small_wash(), Parallel());
+  double slip = 0;
+  while (simulation.time() < 0.1) {
+    const auto& step = simulation.step(0.1);
+    EXPECT_TRUE(step.pressure.converged);
+    EXPECT_LE(step.divergence, 1e-4);
+    EXPECT_LE(step.cloth.barrier.penetration, 0);
+    slip += step.cloth.slip / step.speed;
+  }
+  EXPECT_LT(slip / static_cast<double>(simulation.last().number), 0.01);
+  for (const auto& x : simulation.cloth().position)
+    for (const auto& solid : simulation.mapping().poses()) EXPECT_LT(solid.psi(x), 0);
+}
+
+/// The drive does work on the water: its torque is against the turning, and what it hands over in
+/// the first tenth of a second is more than the kinetic energy then present, but of that order.
+TEST(Simulation, DriveDoesTheWork) {
+  Simulation<3> simulation(small_wash(), Parallel());
+  double work = 0;
+  while (simulation.time() < 0.1 - 1e-9) {
+    simulation.step(0.1);
+    const Impulse i = simulation.take_impulse(1);
+    work -= i.moment * i.angle / i.time;
+  }
+  EXPECT_GT(work, simulation.last().kinetic);
+  EXPECT_LT(work, 4 * simulation.last().kinetic);
+}
+
+TEST(Simulation, FixedStepIsTaken) {
+  Simulation<3> simulation(small_wash({"time.step=2e-4 s", "time.fixed=true"}), Parallel());
+  simulation.step(1);
+  EXPECT_DOUBLE_EQ(simulation.time(), 2e-4);
+}
+
+}  // namespace
+}  // namespace washtub
