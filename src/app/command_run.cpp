@@ -11,6 +11,7 @@
 #include "app/run.hpp"
 #include "app/stop.hpp"
 #include "base/error.hpp"
+#include "washer/build.hpp"
 
 namespace washtub {
 namespace {
@@ -107,6 +108,7 @@ int command_run(const RunArguments& arguments) {
   if (inside_mpi()) return simulate(arguments, options);
   const Case whole = read_case(arguments.input.path, arguments.input.settings);
   const int ranks = choose_ranks(arguments, whole);
+  check_placement(whole);
   prepare_directory(options.directory, options.force);
   setenv(prepared_mark, "1", 1);
   return ranks == 1 ? simulate(arguments, options) : launch_ranks(ranks, arguments.all);

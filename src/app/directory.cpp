@@ -18,6 +18,14 @@ std::string default_directory(const std::string& case_path) {
   return (fs::path("out") / name).string();
 }
 
+namespace {
+
+/// Everything a run writes.
+constexpr const char* results[] = {"case.toml", "history.csv", "tracks.csv", "summary.json",
+                                   "log.txt",   "frames.xdmf", "frames"};
+
+}  // namespace
+
 void prepare_directory(const std::string& directory, bool force) {
   std::error_code error;
   if (fs::exists(directory, error) && !fs::is_directory(directory, error))
@@ -30,6 +38,7 @@ void prepare_directory(const std::string& directory, bool force) {
     throw InputError(fmt::format(
         "{}: holds results already; name another directory with -o, or overwrite them with --force",
         directory));
+  for (const char* name : results) fs::remove_all(fs::path(directory) / name, error);
 }
 
 }  // namespace washtub

@@ -6,7 +6,8 @@ namespace washtub {
 /// out/<name of the case>: its file's name, or its folder's where the file is called case.toml.
 std::string default_directory(const std::string& case_path);
 
-/// On return the directory exists, can be written, and is empty unless `force`.
+/// On return the directory exists, can be written, and holds no results of another run; with
+/// `force` those that it held are gone.
 /// @throws InputError
 void prepare_directory(const std::string& directory, bool force);
 

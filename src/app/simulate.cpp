@@ -31,9 +31,8 @@ std::shared_ptr<spdlog::logger> open_log(const std::string& directory, bool root
 
 template <int D>
 std::string describe(const typename Simulation<D>::Step& s) {
-  std::string text = fmt::format("step {}  dt {:.2e} s ({})  CFL {:.2f}  div {:.0e}", s.number,
-                                 s.dt, name(s.limit), s.courant, s.divergence);
-  return text;
+  return fmt::format("step {}  dt {:.2e} s ({})  CFL {:.2f}  div {:.0e}", s.number, s.dt,
+                     name(s.limit), s.courant, s.divergence);
 }
 
 /// A run from its start to its end, to the user's wish to stop, or to a failure.
@@ -59,7 +58,10 @@ class Run {
       return advance();
     } catch (const RunError& error) {
       log_->error("{}", error.what());
-      finish(error.what());
+      try {
+        finish(error.what());
+      } catch (const RunError&) {  // what went wrong first is what counts
+      }
       throw;
     }
   }
@@ -73,7 +75,7 @@ class Run {
       const double latest = std::min(end, static_cast<double>(s) * every);
       const double close = case_.time.fixed ? 0.5 * case_.time.step : 1e-9 * every;
       while (simulation_.time() < latest - close) {
-        observer_.watch(simulation_.step(latest));
+        step(latest);
         if (progress_.show(simulation_.time(), describe<D>(simulation_.last())))
           log_->info("t {:.6g} s  {}", simulation_.time(), describe<D>(simulation_.last()));
         if (parallel_.any(stop_requested())) return stop();
@@ -82,6 +84,19 @@ class Run {
     }
     finish("complete");
     return 0;
+  }
+
+  /// A step; where it fails, the state is written before the run ends.
+  void step(double latest) {
+    try {
+      observer_.watch(simulation_.step(latest));
+    } catch (const RunError&) {
+      try {
+        sample(true);
+      } catch (const RunError&) {  // what went wrong first is what counts
+      }
+      throw;
+    }
   }
 
   bool frame_due() {

@@ -76,6 +76,13 @@ Cloth<D> build_cloth(const Case& whole) {
   return cloth;
 }
 
+void check_placement(const Case& whole) {
+  if (whole.dimension == 2)
+    build_cloth<2>(whole);
+  else
+    build_cloth<3>(whole);
+}
+
 template Mesh<2> build_mesh<2>(const Case&);
 template Mesh<3> build_mesh<3>(const Case&);
 template std::array<std::array<Side<2>, 2>, 2> build_sides<2>(const Case&);
