@@ -157,6 +157,7 @@ nlohmann::ordered_json summarise(const Simulation<D>& simulation, const Observer
     j["coupling"] = {{"newton steps per step", static_cast<double>(e.newton) / steps},
                      {"largest strain", e.strain},
                      {"largest rms slip [m/s]", e.slip},
+                     {"mean rms slip / largest speed", e.sum_of_slip_shares / steps},
                      {"largest rms slip / largest speed", e.slip_share},
                      {"deepest penetration of a solid [m]", e.penetration},
                      {"nodes held off solids per step", static_cast<double>(e.touched) / steps}};

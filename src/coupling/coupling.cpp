@@ -12,8 +12,9 @@ namespace {
 // Tight enough that the result does not depend on which pieces are solved side by side.
 constexpr double solve_tolerance = 1e-10;  // in node spacings
 constexpr int not_held = -2;
-constexpr double grip = 1e4;   // stiffness of a held node over that of a free one
-constexpr int rounds = 4;      // of looking for nodes that have to be held
+constexpr double grip = 1e4;         // stiffness of a held node over that of a free one
+constexpr double held_close = 1e-2;  // of the shortest cell edge: a held node is where it should be
+constexpr int rounds = 4;            // of looking for nodes that have to be held
 constexpr double light = 0.1;  // excess mass per ghost mass up to which inertia may lag a step
 
 }  // namespace
@@ -21,12 +22,12 @@ constexpr double light = 0.1;  // excess mass per ghost mass up to which inertia
 template <int D>
 Coupling<D>::Coupling(Flow<D>& flow, Cloth<D>& cloth, const DomainMapping<D>& mapping,
                       Kernel kernel, const typename ImmersedBoundary<D>::Reflections& sides,
-                      Scheme scheme)
+                      Scheme scheme, double marker_spacing)
     : flow_(flow),
       cloth_(cloth),
       mapping_(mapping),
       scheme_(scheme),
-      boundary_(flow.grid(), cloth, kernel, sides),
+      boundary_(flow.grid(), cloth, kernel, sides, marker_spacing),
       barrier_(flow.grid(), mapping, cloth.position) {
   const auto& parallel = flow.grid().parallel();
   for (const auto& g : cloth.groups) {
@@ -133,11 +134,13 @@ template <int D>
 void Coupling<D>::keep_out(double dt) {
   for (const int i : held_) held_by_[static_cast<std::size_t>(i)] = not_held;
   held_.clear();
+  const double close = held_close * flow_.grid().mesh().h.minCoeff();
   for (int round = 0; round < rounds; ++round) {
     std::vector<std::vector<char>> again(cloth_.groups.size());
     bool any = false;
     for (const auto& contact : barrier_.find(next_, dt)) {
       const auto i = static_cast<std::size_t>(contact.node);
+      if (held_by_[i] != not_held && (contact.to - next_[i]).norm() < close) continue;
       if (held_by_[i] == not_held) {
         held_.push_back(contact.node);
         stiffness_[i] *= grip;

@@ -20,7 +20,8 @@ template <int D>
 class Coupling {
  public:
   Coupling(Flow<D>& flow, Cloth<D>& cloth, const DomainMapping<D>& mapping, Kernel kernel,
-           const typename ImmersedBoundary<D>::Reflections& sides, Scheme scheme);
+           const typename ImmersedBoundary<D>::Reflections& sides, Scheme scheme,
+           double marker_spacing = 2);
 
   struct Report {
     int iterations = 0;         ///< most Newton steps of any piece

@@ -6,18 +6,17 @@
 namespace washtub {
 namespace {
 
-constexpr double marker_reach = 2.0;     // markers at most so many of the smallest spacing apart
 constexpr double mobility_floor = 0.02;  // of that of a single cell
 
 }  // namespace
 
 template <int D>
 ImmersedBoundary<D>::ImmersedBoundary(const Grid<D>& grid, const Cloth<D>& cloth, Kernel kernel,
-                                      const Reflections& sides)
+                                      const Reflections& sides, double marker_spacing)
     : grid_(grid),
       kernel_(kernel),
       sides_(sides),
-      spacing_(marker_reach * grid.mesh().h.minCoeff()),
+      spacing_(marker_spacing * grid.mesh().h.minCoeff()),
       markers_(cloth, spacing_),
       stencils_(static_cast<std::size_t>(markers_.count())),
       unit_(cloth.position.size(), Vec<D>::Ones()) {

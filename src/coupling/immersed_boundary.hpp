@@ -25,8 +25,9 @@ class ImmersedBoundary {
   using Components = std::array<Field, D>;
   using Reflections = std::array<std::array<Reflection, 2>, D>;
 
+  /// `marker_spacing`: largest distance between markers, in shortest cell edges.
   ImmersedBoundary(const Grid<D>& grid, const Cloth<D>& cloth, Kernel kernel,
-                   const Reflections& sides);
+                   const Reflections& sides, double marker_spacing = 2);
 
   /// Puts the delta functions at the given node positions [m].
   void place(const std::vector<Vec<D>>& X);

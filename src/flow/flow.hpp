@@ -69,6 +69,8 @@ class Flow {
   void predict_row(int j, int k, double now, double before);
   void relax_row(int c, int j, int k, int colour, double omega);
   void exchange_velocity();
+  double add_force_row(int j, int k, double dt);
+  void start_pressure_row(int j, int k, double dt);
   void correct_row(int j, int k, double dt, Report& report);
 
   const Grid<D>& grid_;

@@ -93,7 +93,9 @@ void Observer<D>::watch(const typename Simulation<D>::Step& step) {
   e.divergence = std::max(e.divergence, step.divergence);
   e.courant = std::max(e.courant, step.courant);
   e.slip = std::max(e.slip, step.cloth.slip);
-  if (step.speed > 0) e.slip_share = std::max(e.slip_share, step.cloth.slip / step.speed);
+  const double share = step.speed > 0 ? step.cloth.slip / step.speed : 0;
+  e.slip_share = std::max(e.slip_share, share);
+  e.sum_of_slip_shares += share;
   e.penetration = std::max(e.penetration, step.cloth.barrier.penetration);
   e.strain = std::max(e.strain, step.cloth.largest_strain);
   e.touched += step.cloth.barrier.touched;

@@ -49,7 +49,8 @@ class Observer {
   const Interval& window() const { return window_; }
   /// Largest values over all steps so far.
   struct Extremes {
-    double divergence = 0, slip = 0, slip_share = 0, penetration = 0, strain = 0, courant = 0;
+    double divergence = 0, slip = 0, penetration = 0, strain = 0, courant = 0;
+    double slip_share = 0, sum_of_slip_shares = 0;  ///< rms slip over the largest speed
     long touched = 0, cycles = 0, unconverged = 0, newton = 0;
     double largest_step = 0, smallest_step = 1e30;
   };

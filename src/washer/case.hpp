@@ -71,6 +71,7 @@ struct ClothCase {
 struct CouplingCase {
   Scheme scheme = Scheme::implicit;
   Kernel kernel = Kernel::cosine;
+  double marker_spacing = 2;  ///< largest distance between markers, in smallest cell edges
 };
 
 struct TimeCase {

@@ -33,7 +33,7 @@ Simulation<D>::Simulation(const Case& whole, const Parallel& parallel)
       impulses_(whole.solids.size()) {
   if (cloth_.pieces() > 0)
     coupling_.emplace(flow_, cloth_, mapping_, whole.coupling.kernel, build_reflections<D>(whole),
-                      whole.coupling.scheme);
+                      whole.coupling.scheme, whole.coupling.marker_spacing);
 }
 
 /// Length of the next step; also notes what limits it.

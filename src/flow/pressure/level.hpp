@@ -132,13 +132,14 @@ void prolong_row(Level<D, T>& l, const Level<D, float>& coarse, int j, int k) {
     const long s = coarse.block.stride[d];
     return std::pair{child & 1 ? s : -s, child & 1 ? s : 0L};
   };
-  const auto [zn, zf] = side(D - 1, k);
-  const auto [yn, yf] = side(D == 3 ? 1 : D - 1, j);
+  const long zn = side(D - 1, k).first, zf = side(D - 1, k).second;
+  [[maybe_unused]] const long yn = side(D == 3 ? 1 : D - 1, j).first;
+  const long yf = side(D == 3 ? 1 : D - 1, j).second;
   const float wz = plane_factor == 2 ? 0.25F : 0.0F, wy = row_factor == 2 ? 0.25F : 0.0F;
   const float* openz = coarse.open[D - 1] + q + zf;
   const float* openy = coarse.open[D == 3 ? 1 : D - 1] + q + yf;
   const float* openx = coarse.open[0] + q;
-  const auto across = [&, zn = zn, yn = yn](int i) {
+  const auto across = [&](int i) {
     float v = c[i] + wz * openz[i] * (c[i + zn] - c[i]);
     if constexpr (D == 3) v += wy * openy[i] * (c[i + yn] - c[i]);
     return v;

@@ -4,10 +4,16 @@
 #include <span>
 #include <vector>
 
+#include "flow/pressure/gather.hpp"
 #include "flow/pressure/hierarchy.hpp"
 #include "flow/pressure/level.hpp"
 
 namespace washtub {
+
+/// Cells [begin, end) of a row.
+struct RowRange {
+  int begin, end;
+};
 
 struct SolveReport {
   int cycles = 0;
@@ -35,8 +41,8 @@ class Multigrid {
   Storage<double>& pressure() { return finest_.x; }
   const Storage<double>& pressure() const { return finest_.x; }
   Storage<double>& source() { return finest_.b; }
-  /// Live range [begin, end) of row (j, k); outside it every cell is solid.
-  std::array<int, 2> live(int j, int k) const {
+  /// Live range of row (j, k); outside it every cell is solid.
+  RowRange live(int j, int k) const {
     const auto r = static_cast<std::size_t>(finest_.block.row_index(j, k));
     return {finest_.begin[r], finest_.end[r]};
   }
@@ -50,7 +56,6 @@ class Multigrid {
 
  private:
   enum class Start { keep, set, add };
-  struct Gather;
 
   template <class T>
   double smooth(Level<D, T>& fine, std::size_t coarse, Start start, int sweeps, bool residual);
@@ -63,6 +68,7 @@ class Multigrid {
   template <class T>
   void coarsen_open(const Level<D, T>& fine, std::size_t coarse, int K0, int K1);
   void gather_source(std::size_t l);
+  void cycle_from_zero();
   SolveReport solve_krylov(double tolerance, SolveReport report, int max_cycles);
   void apply(const double* in, double* out);
   double dot(const double* a, const double* b) const;
@@ -72,7 +78,7 @@ class Multigrid {
   std::vector<Level<D, float>> coarse_;
   std::vector<std::array<Storage<float>, D>> coarse_open_;
   std::size_t first_gathered_;
-  std::unique_ptr<Gather> gather_;
+  std::unique_ptr<GatherBlocks<D>> gather_;
   std::vector<float> row_sum_;
   std::vector<MPI_Comm> comms_;
   std::array<Storage<double>, 4> krylov_;

@@ -1,0 +1,156 @@
+#include <algorithm>
+#include <cmath>
+
+#include "flow/flow.hpp"
+#include "grid/wavefront.hpp"
+
+namespace washtub {
+namespace {
+
+constexpr double viscous_accuracy = 1e-5;  // of the viscous solve, relative to the step's change
+
+/// Optimal over-relaxation of the viscous sweeps and how many of them reach viscous_accuracy.
+struct Relaxation {
+  double omega = 1;
+  int sweeps = 2;
+};
+
+Relaxation relaxation(double coupling) {
+  const double jacobi = coupling / (1 + coupling);
+  Relaxation r;
+  r.omega = 2 / (1 + std::sqrt(1 - jacobi * jacobi));
+  if (r.omega > 1 + 1e-9)
+    r.sweeps = std::max(
+        2, 1 + static_cast<int>(std::ceil(std::log(viscous_accuracy) / std::log(r.omega - 1))));
+  return r;
+}
+
+}  // namespace
+
+/// Right-hand side of the viscous solve for component c of one row:
+///   u + dt (now N(u^n) + before N(u^{n-1})) + half of the viscous term,
+/// N = -div(u u) with arithmetic means on the edges of each momentum cell.
+template <int D>
+template <int c>
+void Flow<D>::predict_row(int j, int k, double now, double before) {
+  const auto& block = grid_.block();
+  const auto range = multigrid_.live(j, k);
+  const int begin = range.begin, end = range.end;
+  const long p = block.row(j, k);
+  std::array<const double*, D> u;
+  std::array<long, D> s = block.stride;
+  s[0] = 1;
+  std::array<double, D> q;
+  for (int d = 0; d < D; ++d) {
+    u[d] = u_[d].data() + p;
+    q[d] = 0.25 / grid_.mesh().h[d];
+  }
+  const auto& nu = diffusion_;
+  double* __restrict__ convection = convection_[c].data() + p;
+  double* __restrict__ rhs = rhs_[c].data() + p;
+  const double* v = u[c];
+  const auto flux = [&](auto axis, int i) {
+    constexpr int d = axis;
+    const long t = s[d];
+    if constexpr (d == c) {
+      const double up = v[i] + v[i + t], down = v[i - t] + v[i];
+      return q[d] * (up * up - down * down);
+    } else {
+      const double* w = u[d];
+      return q[d] * ((w[i - s[c] + t] + w[i + t]) * (v[i] + v[i + t]) -
+                     (w[i - s[c]] + w[i]) * (v[i - t] + v[i]));
+    }
+  };
+  using std::integral_constant;
+#pragma omp simd
+  for (int i = begin; i < end; ++i) {
+    double n = flux(integral_constant<int, 0>{}, i) + flux(integral_constant<int, 1>{}, i);
+    double diffusion =
+        nu[0] * (v[i + 1] - 2 * v[i] + v[i - 1]) + nu[1] * (v[i + s[1]] - 2 * v[i] + v[i - s[1]]);
+    if constexpr (D == 3) {
+      n += flux(integral_constant<int, D - 1>{}, i);
+      diffusion += nu[D - 1] * (v[i + s[D - 1]] - 2 * v[i] + v[i - s[D - 1]]);
+    }
+    rhs[i] = v[i] + diffusion - now * n + before * convection[i];
+    convection[i] = -n;
+  }
+}
+
+/// One colour of a Gauss-Seidel sweep for (1 - dt nu/2 laplace) u = rhs on a row; closed faces keep
+/// u_o, partly open ones mix both as Eq. (9) does with equal diagonals.
+template <int D>
+void Flow<D>::relax_row(int c, int j, int k, int colour, double omega) {
+  const auto& block = grid_.block();
+  const auto range = multigrid_.live(j, k);
+  const int begin = range.begin, end = range.end;
+  const long p = block.row(j, k);
+  double* x = u_[c].data() + p;
+  const double* rhs = rhs_[c].data() + p;
+  const float* open = openings_.open[c] + p;
+  const double* on = colour_[(block.parity(j, k) + colour) & 1].data();
+  const long sy = block.stride[1], sz = block.stride[D - 1];
+  const auto nu = diffusion_;
+  double diagonal = 1;
+  for (int d = 0; d < D; ++d) diagonal += 2 * nu[d];
+  const double weight = omega / diagonal;
+  double* __restrict__ fresh = row_buffer_.data();
+  const auto momentum = [&](int i) {
+    const double o = x[i];
+    double r = rhs[i] - o + nu[0] * (x[i + 1] - o + x[i - 1] - o) +
+               nu[1] * (x[i + sy] - o + x[i - sy] - o);
+    if constexpr (D == 3) r += nu[D - 1] * (x[i + sz] - o + x[i - sz] - o);
+    return r;
+  };
+  if (openings_.smooth) {
+    const double* target = target_[c].data() + p;
+#pragma omp simd
+    for (int i = begin; i < end; ++i)
+      fresh[i] = x[i] + on[i] * (open[i] * weight * momentum(i) +
+                                 (1 - open[i]) * omega * (target[i] - x[i]));
+  } else {
+#pragma omp simd
+    for (int i = begin; i < end; ++i) fresh[i] = x[i] + on[i] * weight * open[i] * momentum(i);
+  }
+#pragma omp simd
+  for (int i = begin; i < end; ++i) x[i] = fresh[i];
+}
+
+template <int D>
+void Flow<D>::predict(double dt) {
+  double coupling = 0;
+  for (int d = 0; d < D; ++d) {
+    diffusion_[d] = viscosity_ / density_ * dt / (2 * grid_.mesh().h[d] * grid_.mesh().h[d]);
+    coupling += 2 * diffusion_[d];
+  }
+  const double ratio = last_step_ > 0 ? dt / last_step_ : 0;
+  const double now = dt * (1 + 0.5 * ratio), before = -0.5 * dt * ratio;
+  last_step_ = dt;
+  const Relaxation relax = relaxation(coupling);
+  exchange_velocity();  // solids may have moved since, and with them the faces they close
+  const auto stage = [&](int s, int k, int j0, int j1) {
+    for (int j = j0; j < j1; ++j) {
+      if (s == 0) {
+        predict_row<0>(j, k, now, before);
+        predict_row<1>(j, k, now, before);
+        if constexpr (D == 3) predict_row<2>(j, k, now, before);
+        continue;
+      }
+      for (int c = 0; c < D; ++c) {
+        relax_row(c, j, k, (s - 1) & 1, relax.omega);
+        sides_.mirror_row(c, u_[c].data(), j, k);
+        grid_.halo().wrap_row(u_[c].data() + grid_.block().row(j, k));
+      }
+    }
+  };
+  wavefront(
+      grid_.block(), grid_.halo(), 1 + 2 * relax.sweeps, stage,
+      [&](int s) {
+        if (s > 0) exchange_velocity();
+      },
+      [](int) {});
+}
+
+template class Flow<2>;
+template class Flow<3>;
+
+}  // namespace washtub
