@@ -86,17 +86,34 @@ int simulate(const RunArguments& arguments, const RunOptions& options) {
   }
 }
 
-/// Blocks reach over at least eight cells, along y and z.
-int most_ranks(const Case& whole) {
-  const auto& cells = whole.domain.cells;
-  return whole.dimension == 3 ? (cells[1] / 8) * (cells[2] / 8) : cells[1] / 8;
+/// Whether the grid can be cut for so many ranks.
+template <int D>
+bool can_cut(const Case& whole, int ranks) {
+  const auto mesh = build_mesh<D>(whole);
+  try {
+    choose_ranks<D>(mesh.cells, granularity(mesh), ranks);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
+bool can_cut(const Case& whole, int ranks) {
+  return whole.dimension == 3 ? can_cut<3>(whole, ranks) : can_cut<2>(whole, ranks);
+}
+
+/// The number asked for, or the physical cores as far as the grid can be cut for them.
 int choose_ranks(const RunArguments& arguments, const Case& whole) {
-  const int most = most_ranks(whole);
-  const int ranks = arguments.ranks.value_or(std::min(physical_cores(), most));
-  if (ranks < 1 || ranks > most)
-    throw InputError(fmt::format("-n {}: allowed: 1 to {} ranks on this grid", ranks, most));
+  int ranks = arguments.ranks.value_or(physical_cores());
+  if (ranks < 1) throw InputError(fmt::format("-n {}: allowed: 1 or more ranks", ranks));
+  const auto fewer = [&](int n) {
+    while (n > 1 && !can_cut(whole, n)) --n;
+    return n;
+  };
+  if (!arguments.ranks) return fewer(ranks);
+  if (!can_cut(whole, ranks))
+    throw InputError(fmt::format("-n {}: this grid cannot be cut for so many ranks; try -n {}",
+                                 ranks, fewer(ranks)));
   return ranks;
 }
 
