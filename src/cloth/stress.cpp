@@ -28,11 +28,12 @@ Vec<3> normal(const Vec<3>& along_r, const Vec<3>& along_s) {
 }
 
 /// Curvature (d e_s/ds . e_n)/|X_s| of three nodes in a row, Eq. (A.5); `project` yields its
-/// component along the normal.
+/// component along the normal. |X_s| is that of the two edges: between their outer ends it would
+/// vanish in a sharp fold.
 template <int D, class Project>
 double curvature(const Vec<D>& a, const Vec<D>& b, const Vec<D>& c, const Project& project) {
   const Vec<D> turn = (c - b).normalized() - (b - a).normalized();
-  return std::fabs(project(turn)) / (0.5 * (c - a).norm());
+  return 2 * std::fabs(project(turn)) / ((b - a).norm() + (c - b).norm());
 }
 
 /// Strains and curvatures of one node of a plate.
@@ -85,7 +86,9 @@ class PlateNode {
     const Vec<3>&a = at(i, j), &b = at(i + 1, j), &c = at(i, j + 1), &d = at(i + 1, j + 1);
     const Vec<3> xr = (b - a + d - c) / (2 * ds(0)), xs = (c - a + d - b) / (2 * ds(1));
     const Vec<3> twist = (d - c - b + a) / (ds(0) * ds(1));
-    const double scale = 1 / (xr.norm() * xs.norm());
+    const double lr = ((b - a).norm() + (d - c).norm()) / (2 * ds(0));
+    const double ls = ((c - a).norm() + (d - b).norm()) / (2 * ds(1));
+    const double scale = 1 / (lr * ls);
     sum[0] += 0.5 * std::fabs(xr.dot(xs)) * scale;
     sum[1] += std::fabs(twist.dot(normal(xr, xs))) * scale;
   }

@@ -86,6 +86,14 @@ TEST(Stress, AlternatingTensionCountsInFull) {
   for (const auto& o : stress(sheet, X)) EXPECT_NEAR(o.membrane, expected, 1e-3 * expected);
 }
 
+/// Folded flat on itself the sheet turns by pi over one node spacing, no more.
+TEST(Stress, OfAFoldStaysBounded) {
+  const auto sheet = make_thread(3, 0.01, {8e3, 0, 1e-4, 0, 0, 0, q});
+  const std::vector<Vec<2>> X = {{0, 0}, {0.01, 0}, {0, 1e-9}};
+  const double expected = 6 * 1e-4 * (2 / 0.01) / (q * q);
+  for (const auto& o : stress(sheet, X)) EXPECT_NEAR(o.bending, expected, 1e-6 * expected);
+}
+
 TEST(Stress, NeedsThickness) {
   const auto sheet = make_thread(4, 0.01, {8e3, 0, 1e-4, 0, 0, 0, 0});
   EXPECT_THROW(stress(sheet, testing::flat(sheet)), InputError);
