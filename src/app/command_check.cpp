@@ -117,7 +117,7 @@ void print_times(const Case& whole) {
 
 int command_check(const CaseArguments& arguments) {
   const Case whole = read_case(arguments.path, arguments.settings);
-  check_placement(whole);
+  check_build(whole);
   print_line("case", fmt::format("{} ({})", whole.title.empty() ? "untitled" : whole.title,
                                  whole.dimension == 3 ? "3-D" : "2-D"));
   print_grid(whole);

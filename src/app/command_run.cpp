@@ -124,8 +124,9 @@ int command_run(const RunArguments& arguments) {
   if (options.directory.empty()) options.directory = default_directory(arguments.input.path);
   if (inside_mpi()) return simulate(arguments, options);
   const Case whole = read_case(arguments.input.path, arguments.input.settings);
+  check_build(whole);
   const int ranks = choose_ranks(arguments, whole);
-  check_placement(whole);
+  protect_case(arguments.input.path, options.directory);
   prepare_directory(options.directory, options.force);
   setenv(prepared_mark, "1", 1);
   return ranks == 1 ? simulate(arguments, options) : launch_ranks(ranks, arguments.all);

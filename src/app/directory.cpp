@@ -18,6 +18,15 @@ std::string default_directory(const std::string& case_path) {
   return (fs::path("out") / name).string();
 }
 
+void protect_case(const std::string& case_path, const std::string& directory) {
+  std::error_code error;
+  const fs::path folder = fs::absolute(case_path).parent_path();
+  if (fs::equivalent(folder, directory, error) && fs::path(case_path).filename() == "case.toml")
+    throw InputError(fmt::format(
+        "{}: is the folder of the case file, which a run would overwrite; name another with -o",
+        directory));
+}
+
 namespace {
 
 /// Everything a run writes.

@@ -6,6 +6,9 @@ namespace washtub {
 /// out/<name of the case>: its file's name, or its folder's where the file is called case.toml.
 std::string default_directory(const std::string& case_path);
 
+/// @throws InputError if the results would take the place of the case file itself
+void protect_case(const std::string& case_path, const std::string& directory);
+
 /// On return the directory exists, can be written, and holds no results of another run; with
 /// `force` those that it held are gone.
 /// @throws InputError

@@ -75,7 +75,7 @@ int wait_for(pid_t child) {
 }  // namespace
 
 bool inside_mpi() {
-  const auto names = {"OMPI_COMM_WORLD_SIZE", "PMI_RANK", "PMIX_RANK", "PMI_SIZE", "SLURM_PROCID"};
+  const auto names = {"OMPI_COMM_WORLD_SIZE", "PMI_RANK", "PMIX_RANK", "PMI_SIZE"};
   return std::any_of(names.begin(), names.end(), [](const char* name) { return getenv(name); });
 }
 

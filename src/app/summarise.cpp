@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "measure/energy.hpp"
+
 namespace washtub {
 namespace {
 
@@ -47,9 +49,14 @@ double rms(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-std::size_t whole_cycles(const Interval& window, double period) {
-  if (period <= 0) return 8;
-  return std::max<std::size_t>(1, static_cast<std::size_t>(window.length() / period + 1e-6));
+/// The whole cycles of the window that the samples cover, and their number; without a period the
+/// covered window in eight parts.
+std::pair<Interval, std::size_t> whole_cycles(const std::vector<Sample>& samples,
+                                              const Interval& window, double period) {
+  const double end = std::min(window.end, samples.back().time);
+  if (period <= 0) return {{window.begin, end}, 8};
+  const double cycles = std::max(0.0, std::floor((end - window.begin) / period + 1e-6));
+  return {{window.begin, window.begin + cycles * period}, static_cast<std::size_t>(cycles)};
 }
 
 Json solid_summary(const std::string& name, const Drive& drive, std::size_t s,
@@ -60,7 +67,7 @@ Json solid_summary(const std::string& name, const Drive& drive, std::size_t s,
   };
   Json j = {
       {"name", name},
-      {"rms torque [N m]", part(&SolidSample::torque)},
+      {c.dimension == 3 ? "rms torque [N m]" : "rms torque [N m/m]", part(&SolidSample::torque)},
       {"rms torque / tau_o", part(&SolidSample::torque) / tau},
       {"rms skin friction torque / tau_o", part(&SolidSample::friction) / tau},
       {"rms pressure torque / tau_o", part(&SolidSample::pressure) / tau},
@@ -76,15 +83,40 @@ Json solid_summary(const std::string& name, const Drive& drive, std::size_t s,
     const Interval over{samples[i - 1].time, now.time};
     torques.push_back({over, -now.solids[s].torque * over.length(), now.solids[s].speed});
   }
-  j["mean power [W]"] = mean_power(torques, window);
+  j[c.dimension == 3 ? "mean power [W]" : "mean power [W/m]"] = mean_power(torques, window);
   if (drive.period() > 0) {
     const auto cycles = energy_per_cycle(torques, window.begin, drive.period());
     const auto mean = batch_means(cycles, cycles.size());
-    j["energy per cycle [J]"] = cycles;
-    j["mean energy per cycle [J]"] = mean.mean;
-    j["energy per cycle, 95 % half width [J]"] = mean.half_width;
+    const std::string unit = c.dimension == 3 ? " [J]" : " [J/m]";
+    j["energy per cycle" + unit] = cycles;
+    j["mean energy per cycle" + unit] = mean.mean;
+    j["energy per cycle, 95 % half width" + unit] = mean.half_width;
   }
   return j;
+}
+
+/// How the pieces go round in (r, z) within the window.
+Json loop_summary(const std::vector<Sample>& samples, const Interval& window, const Case& c) {
+  const auto times = series(samples, window, [](const Sample& s) { return s.time; });
+  const std::size_t pieces = samples.back().centres.size();
+  VelocityMap map(c.scale.length > 0 ? c.scale.length : 1, c.scale.height);
+  double area = 0, turns = 0;
+  for (std::size_t p = 0; p < pieces && times.size() > 1; ++p) {
+    std::vector<Vec<2>> track;
+    for (const auto& s : samples)
+      if (s.time > window.begin && track.size() < times.size()) track.push_back(s.centres[p]);
+    map.add(times, track);
+    const auto l = loop(times, track);
+    area += l.area / static_cast<double>(pieces);
+    turns += l.turns / static_cast<double>(pieces);
+  }
+  return {{"mean swept area [m^2]", area},
+          {"mean turns", turns},
+          {"rise at the wall [m/s]", map.wall_rise().mean()},
+          {"rise at the axis [m/s]", map.axis_rise().mean()},
+          {"outward at the surface [m/s]", map.top_outward().mean()},
+          {"outward at the floor [m/s]", map.bottom_outward().mean()},
+          {"signs agreeing with the wash loop, of 4", map.agreeing()}};
 }
 
 template <int D>
@@ -92,39 +124,21 @@ Json cloth_summary(const Simulation<D>& simulation, const Observer<D>& observer)
   const auto& c = simulation.definition();
   const auto& samples = observer.samples();
   const double sigma = scales(c).stress;
-  const auto stress =
-      series(samples, observer.window(), [](const Sample& s) { return s.stress.total; });
-  const auto mean = batch_means(stress, whole_cycles(observer.window(), c.scale.period));
-  VelocityMap map(c.scale.length > 0 ? c.scale.length : 1, c.scale.height);
-  const auto times = series(samples, observer.window(), [](const Sample& s) { return s.time; });
-  double area = 0, turns = 0;
+  const auto [covered, cycles] = whole_cycles(samples, observer.window(), c.scale.period);
+  const auto stress = series(samples, covered, [](const Sample& s) { return s.stress.total; });
+  const auto mean = batch_means(stress, cycles);
   const auto pieces = static_cast<std::size_t>(simulation.cloth().pieces());
-  for (std::size_t p = 0; p < pieces && times.size() > 1; ++p) {
-    std::vector<Vec<2>> track;
-    for (const auto& s : samples)
-      if (s.time > observer.window().begin && track.size() < times.size())
-        track.push_back(s.centres[p]);
-    map.add(times, track);
-    const auto l = loop(times, track);
-    area += l.area / static_cast<double>(pieces);
-    turns += l.turns / static_cast<double>(pieces);
-  }
-  return {{"pieces", pieces},
-          {"stress", stress_part(observer.stress().total(), sigma)},
-          {"stress, 95 % half width / sigma_o", mean.half_width / sigma},
-          {"membrane stress", stress_part(observer.stress().membrane(), sigma)},
-          {"bending stress", stress_part(observer.stress().bending(), sigma)},
-          {"scatter about the common centre [m]", observer.scatter().common()},
-          {"scatter about each piece's own centre [m]", observer.scatter().own()},
-          {"centre (r, z) [m]", {observer.scatter().centre()[0], observer.scatter().centre()[1]}},
-          {"loop",
-           {{"mean swept area [m^2]", area},
-            {"mean turns", turns},
-            {"rise at the wall [m/s]", map.wall_rise().mean()},
-            {"rise at the axis [m/s]", map.axis_rise().mean()},
-            {"outward at the surface [m/s]", map.top_outward().mean()},
-            {"outward at the floor [m/s]", map.bottom_outward().mean()},
-            {"signs agreeing with the wash loop, of 4", map.agreeing()}}}};
+  Json j = {
+      {"pieces", pieces},
+      {"stress", stress_part(observer.stress().total(), sigma)},
+      {"stress, 95 % half width / sigma_o", mean.half_width / sigma},
+      {"membrane stress", stress_part(observer.stress().membrane(), sigma)},
+      {"bending stress", stress_part(observer.stress().bending(), sigma)},
+      {"scatter about the common centre [m]", observer.scatter().common()},
+      {"scatter about each piece's own centre [m]", observer.scatter().own()},
+      {"centre (r, z) [m]", {observer.scatter().centre()[0], observer.scatter().centre()[1]}}};
+  if constexpr (D == 3) j["loop"] = loop_summary(samples, observer.window(), c);
+  return j;
 }
 
 }  // namespace

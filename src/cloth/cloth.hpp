@@ -11,9 +11,8 @@ template <int D>
 struct ClothGroup {
   Sheet<D> sheet;
   int pieces = 0;
-  int first_node = 0;       ///< in the arrays of Cloth
-  int first_piece = 0;      ///< among all pieces
-  std::vector<int> pinned;  ///< nodes of each piece that are held
+  int first_node = 0;   ///< in the arrays of Cloth
+  int first_piece = 0;  ///< among all pieces
 
   int nodes() const { return sheet.nodes() * pieces; }
   int node(int piece, int local) const { return first_node + piece * sheet.nodes() + local; }
@@ -30,7 +29,7 @@ struct Cloth {
 
   /// Adds a group whose pieces stand at `where` (pieces x nodes).
   void add(const Sheet<D>& sheet, std::span<const Vec<D>> where) {
-    ClothGroup<D> g{sheet, static_cast<int>(where.size()) / sheet.nodes(), nodes(), pieces(), {}};
+    ClothGroup<D> g{sheet, static_cast<int>(where.size()) / sheet.nodes(), nodes(), pieces()};
     groups.push_back(g);
     position.insert(position.end(), where.begin(), where.end());
     for (auto* v : {&velocity, &velocity_before, &elastic})

@@ -20,8 +20,12 @@ Barrier<D>::Barrier(const Grid<D>& grid, const DomainMapping<D>& mapping,
       kept_(start.size(), 0),
       clearance_(start.size(), 0),
       accepted_(start) {
-  for (const auto& solid : mapping.solids())
-    fastest_ = std::max(fastest_, solid.drive.peak() * grid.mesh().size().norm());
+  const auto& mesh = grid.mesh();
+  const Vec<D> middle = mesh.lower + 0.5 * mesh.size();
+  for (const auto& solid : mapping.solids()) {
+    const Vec<D> off = middle - solid.centre.template head<D>();
+    fastest_ = std::max(fastest_, solid.drive.peak() * (off.norm() + 0.5 * mesh.size().norm()));
+  }
   std::vector<Vec<D>> X = start;
   accept(X, 0);
 }
@@ -30,6 +34,17 @@ Barrier<D>::Barrier(const Grid<D>& grid, const DomainMapping<D>& mapping,
 template <int D>
 double Barrier<D>::margin(const Vec<D>& normal) const {
   return 0.5 * normal.cwiseProduct(grid_.mesh().h).norm();
+}
+
+/// The image of x within a periodic box.
+template <int D>
+Vec<D> Barrier<D>::inside(Vec<D> x) const {
+  const auto& mesh = grid_.mesh();
+  for (int d = 0; d < D; ++d) {
+    const double length = mesh.h[d] * mesh.cells[d];
+    if (mesh.periodic[d]) x[d] -= length * std::floor((x[d] - mesh.lower[d]) / length);
+  }
+  return x;
 }
 
 template <int D>
@@ -43,8 +58,8 @@ double Barrier<D>::for_near(const Vec<D>& x, Visit&& visit) const {
       visit(Surface{psi, normal(), solid});
   };
   const auto& poses = mapping_.poses();
+  const Vec<3> point = in_space<D>(inside(x));
   for (std::size_t s = 0; s < poses.size(); ++s) {
-    const Vec<3> point = in_space<D>(x);
     look(
         poses[s].psi(point),
         [&] { return Vec<D>(poses[s].normal(point, 1e-3 * widest_).template head<D>()); },

@@ -42,6 +42,7 @@ class Barrier {
   /// point may go before another comes within half of that.
   template <class Visit>
   double for_near(const Vec<D>& x, Visit&& visit) const;
+  Vec<D> inside(Vec<D> x) const;
   double margin(const Vec<D>& normal) const;
   bool project(Vec<D>& x, int node, int& solid, double& depth) const;
   double travel(const Vec<D>& moved, double dt) const;

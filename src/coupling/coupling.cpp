@@ -31,7 +31,8 @@ Coupling<D>::Coupling(Flow<D>& flow, Cloth<D>& cloth, const DomainMapping<D>& ma
       barrier_(flow.grid(), mapping, cloth.position) {
   const auto& parallel = flow.grid().parallel();
   for (const auto& g : cloth.groups) {
-    solvers_.push_back(std::make_unique<ClothSolver<D>>(g.sheet, g.pinned, solve_tolerance));
+    solvers_.push_back(
+        std::make_unique<ClothSolver<D>>(g.sheet, std::vector<int>{}, solve_tolerance));
     auto& mine = mine_.emplace_back();
     for (int p = 0; p < g.pieces; ++p) {
       if ((g.first_piece + p) % parallel.size() == parallel.rank()) mine.push_back(p);
@@ -89,7 +90,7 @@ void Coupling<D>::solve_group(std::size_t g, const std::vector<int>& pieces) {
   const auto& parallel = flow_.grid().parallel();
   const double failed = parallel.max(report.failed >= 0 ? group.first_piece + report.failed : -1);
   if (failed >= 0)
-    throw RunError("cloth " + std::to_string(static_cast<int>(failed)) +
+    throw RunError("piece " + std::to_string(static_cast<int>(failed) + 1) +
                    ": the implicit solve did not converge; try a smaller time.step or time.cfl");
   report_.iterations =
       std::max(report_.iterations, static_cast<int>(parallel.max(report.iterations)));

@@ -40,8 +40,6 @@ class Coupling {
   /// Moment of the contact forces on a solid about its axis [N m], in the last step.
   double contact_moment(std::size_t solid) const;
 
-  const ImmersedBoundary<D>& boundary() const { return boundary_; }
-
  private:
   using Nodes = std::vector<Vec<D>>;
   void find_inertia();

@@ -40,9 +40,6 @@ class ImmersedBoundary {
   /// and closed faces do not give way.
   void mobility(const Openings<D>& openings, double density, std::vector<Vec<D>>& mobility);
 
-  int markers() const { return markers_.count(); }
-  double marker_spacing() const { return spacing_; }
-
  private:
   using Weights = std::array<double, kernel_points>;
   /// Neighbouring grid lines along one axis; on a periodic one the last of them may be the first of

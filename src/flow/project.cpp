@@ -21,6 +21,8 @@ void Flow<D>::provisional(double dt, Components& out) const {
         double* __restrict__ o = out[d].data() + r;
         const long s = d == 0 ? 1 : block.stride[d];
         const double a = dt / density_, per_h = 1 / grid_.mesh().h[d];
+        std::copy_n(u, begin, o);
+        std::copy(u + end, u + block.width(), o + end);
 #pragma omp simd
         for (int i = begin; i < end; ++i)
           o[i] = u[i] + a * open[i] * (f[i] - per_h * (p[i] - p[i - s]));

@@ -7,7 +7,7 @@ namespace washtub {
 double work(std::span<const TorqueSample> samples, const Interval& window) {
   double sum = 0;
   for (const TorqueSample& s : samples)
-    sum += s.impulse * s.speed * window.overlap(s.over) / s.over.length();
+    if (s.over.length() > 0) sum += s.impulse * s.speed * window.overlap(s.over) / s.over.length();
   return sum;
 }
 

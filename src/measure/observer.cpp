@@ -5,14 +5,25 @@
 
 namespace washtub {
 
+namespace {
+
+/// (x, y) of the axis of the first solid that turns; the origin where none does.
+Vec<2> turning_axis(const std::vector<Solid>& solids) {
+  for (const auto& s : solids)
+    if (s.drive.moving()) return s.centre.head<2>();
+  return Vec<2>::Zero();
+}
+
+}  // namespace
+
 template <int D>
 Observer<D>::Observer(Simulation<D>& simulation)
     : simulation_(simulation),
       window_{simulation.definition().output.window_begin,
               simulation.definition().output.window_end},
-      axis_(Vec<2>::Zero()),
+      axis_(turning_axis(simulation.mapping().solids())),
       stress_(static_cast<std::size_t>(simulation.cloth().pieces()), window_),
-      scatter_(static_cast<std::size_t>(simulation.cloth().pieces()), window_, Vec<2>::Zero()) {
+      scatter_(static_cast<std::size_t>(simulation.cloth().pieces()), window_, axis_) {
   const auto n = simulation.cloth().position.size();
   for (auto* v : {&membrane_, &bending_, &total_}) v->resize(n);
 }

@@ -1,9 +1,7 @@
 #pragma once
-#include <memory>
 #include <vector>
 
 #include "cloth/stress.hpp"
-#include "measure/energy.hpp"
 #include "measure/scatter.hpp"
 #include "measure/stress.hpp"
 #include "measure/trajectory.hpp"

@@ -154,7 +154,7 @@ void LoadSum<D>::add_body(Row r, int d, int j, int k) {
   for_marks(r, [&](int i) {
     if (owner[i] != solid_) return;
     add(loads_.pressure, r, d, i, Vec<D>::Zero(), area * (p[i - s] - p[i]));
-    add(loads_.cloth, r, d, i, Vec<D>::Zero(), volume * (1 - phi[i]) * f[i]);
+    add(loads_.cloth, r, d, i, Vec<D>::Zero(), volume * f[i]);
   });
 }
 

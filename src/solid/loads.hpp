@@ -33,11 +33,12 @@ struct SurfaceLoads {
   }
 };
 
-/// Loads on one solid from the momentum that passes between open and closed faces: viscous fluxes
-/// mu (u_lower - u_upper)/h and convective ones rho u u between neighbours of different open
-/// fraction, and the pressure of the cells on both sides of each closed face (zero inside solids).
-/// These are the very terms of the discrete momentum equation, so what a solid receives the water
-/// loses; see also DomainMapping::swept. Sum over this rank only.
+/// Loads on one solid from the momentum that passes between open and closed faces: viscous stress
+/// mu (grad u + grad u^T) and convective flux rho u u on the edges where the open fraction leaves
+/// 1, and the pressure of the cells on both sides of each face that is not fully open (zero inside
+/// solids). What a solid receives the water loses, see also DomainMapping::swept; the transposed
+/// gradient does not appear in the water's own equation, where its divergence vanishes, but a
+/// turning surface feels it. Sum over this rank only.
 template <int D>
 SurfaceLoads<D> surface_loads(const Grid<D>& grid, const DomainMapping<D>& mapping,
                               std::size_t solid, const WaterState<D>& water);

@@ -4,11 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/error.hpp"
+
 namespace washtub {
 namespace {
 
 constexpr double rebase_after = 32;  // [rad] of travel, so that single precision keeps its digits
 
+constexpr std::uint8_t nobody = 255;    // owner of the faces on the sides of the box
 constexpr double almost_closed = 1e-3;  // open fraction too small for a pressure gradient to act on
 
 /// Cells of the block whose faces lie within `reach` of the axis and between two heights.
@@ -47,6 +50,7 @@ CellBox<D> sweep(const Grid<D>& grid, const Solid& solid, double margin) {
 template <int D>
 DomainMapping<D>::DomainMapping(const Grid<D>& grid, std::vector<Solid> solids, double gamma)
     : grid_(grid), solids_(std::move(solids)), gamma_(gamma) {
+  if (solids_.size() >= nobody) throw InputError("too many solids: at most 254");
   const auto n = static_cast<std::size_t>(grid.block().size);
   for (int d = 0; d < D; ++d) {
     open_[d] = Storage<float>(n);
@@ -152,6 +156,7 @@ void DomainMapping<D>::close_sides() {
             c[D - 1] = k;
             c[d] = at;
             open_[d][block.at(c)] = 0;
+            owner_[d][block.at(c)] = nobody;
           }
     }
 }
@@ -181,8 +186,7 @@ typename DomainMapping<D>::Change DomainMapping<D>::update(double t) {
   swept_.clear();
   for (const auto& solid : solids_) {
     const double turned = std::abs(solid.drive.angle(t) - solid.drive.angle(time_));
-    const double bound = std::max(std::abs(solid.drive.speed(t)), solid.drive.speed(time_));
-    travel_ += std::max(turned, bound * std::abs(t - time_));
+    travel_ += turned;
   }
   time_ = t;
   pose();

@@ -35,7 +35,6 @@ class DomainMapping {
   Change update(double t);
 
   double time() const { return time_; }
-  double gamma() const { return gamma_; }
   bool smooth() const { return gamma_ > 0; }
   const std::vector<Solid>& solids() const { return solids_; }
   /// Open fractions of the lower faces along each axis, ghosts included.

@@ -1,5 +1,6 @@
 #include "washer/build.hpp"
 
+#include "base/error.hpp"
 #include "cloth/plate.hpp"
 #include "cloth/thread.hpp"
 #include "washer/placement.hpp"
@@ -63,6 +64,11 @@ Cloth<D> build_cloth(const Case& whole) {
   Cloth<D> cloth;
   for (const auto& group : whole.cloth) {
     if (group.count == 0) continue;
+    for (const auto& side : whole.domain.sides)
+      if (side.kind == SideKind::moving_wall)
+        throw InputError(
+            "domain.sides: cloth beside a moving wall is not supported; let a solid "
+            "move instead, or take the cloth out");
     const auto nodes = cloth_nodes(group, whole);
     const auto where = place_cloth<D>(group, nodes, whole, cloth);
     std::array<double, 2> spacing{};
@@ -76,11 +82,21 @@ Cloth<D> build_cloth(const Case& whole) {
   return cloth;
 }
 
-void check_placement(const Case& whole) {
+namespace {
+
+template <int D>
+void check(const Case& whole) {
+  granularity(build_mesh<D>(whole));
+  build_cloth<D>(whole);
+}
+
+}  // namespace
+
+void check_build(const Case& whole) {
   if (whole.dimension == 2)
-    build_cloth<2>(whole);
+    check<2>(whole);
   else
-    build_cloth<3>(whole);
+    check<3>(whole);
 }
 
 template Mesh<2> build_mesh<2>(const Case&);

@@ -22,8 +22,8 @@ double smooth_width(const Case& whole);
 template <int D>
 Cloth<D> build_cloth(const Case& whole);
 
-/// Places the cloth of a case and forgets it again.
-/// @throws InputError where it cannot be placed
-void check_placement(const Case& whole);
+/// Tries whether the grid suits the solver and the cloth has room.
+/// @throws InputError if not
+void check_build(const Case& whole);
 
 }  // namespace washtub

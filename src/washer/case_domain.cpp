@@ -45,7 +45,8 @@ Table<FluidCase> fluid_table() {
   Table<FluidCase> table("The water.");
   table.key("density", &FluidCase::density, quantity(measure::density, above(0)), "density, rho")
       .key("viscosity", &FluidCase::viscosity, quantity(measure::viscosity, above(0)),
-           "dynamic viscosity, mu");
+           "dynamic viscosity, mu; of real water 1e-3 Pa s, far below what the grid resolves")
+      .required();
   return table;
 }
 

@@ -129,10 +129,10 @@ class Placer {
   InputError no_place() const {
     const auto less = [](const auto& a, const auto& b) { return a.second < b.second; };
     return InputError(fmt::format(
-        "cloth {} of {}: no free place in {} draws, {} times over; most often it comes nearer than "
+        "piece {} of {}: no free place in {} draws, {} times over; most often it comes nearer than "
         "{:.3g} m to {}; try a smaller cloth.count, cloth.size or cloth.clearance, or another "
         "cloth.seed",
-        placed_.size(), pieces_, most_draws, most_starts, cloth_.clearance,
+        placed_.size() + 1, pieces_, most_draws, most_starts, cloth_.clearance,
         std::max_element(hits_.begin(), hits_.end(), less)->first));
   }
 
@@ -140,16 +140,17 @@ class Placer {
     const auto& [r, s] = cloth_.along;
     const bool skew = D == 3 && (std::abs(s.norm() - 1) > 1e-9 || std::abs(r.dot(s)) > 1e-9);
     if (std::abs(r.norm() - 1) > 1e-9 || skew)
-      throw InputError(fmt::format(
-          "cloth {}: its directions must be of unit length and at right angles", placed_.size()));
+      throw InputError(
+          fmt::format("piece {}: its directions must be of unit length and at right angles",
+                      placed_.size() + 1));
     const auto length = size();
     const Rectangle piece{cloth_.origin, {length[0] * r, length[1] * s}};
     const std::string what = obstacle(piece, 0, true);
     if (!what.empty())
       throw InputError(
-          fmt::format("cloth {}: the sheet touches {}; try another cloth.origin or a smaller "
+          fmt::format("piece {}: the sheet touches {}; try another cloth.origin or a smaller "
                       "cloth.size",
-                      placed_.size(), what));
+                      placed_.size() + 1, what));
     return piece;
   }
 

@@ -31,9 +31,20 @@ Simulation<D>::Simulation(const Case& whole, const Parallel& parallel)
             {mapping_.open(), mapping_.smooth()}),
       cloth_(build_cloth<D>(whole)),
       impulses_(whole.solids.size()) {
+  courant_rate_ = start_rate();
   if (cloth_.pieces() > 0)
     coupling_.emplace(flow_, cloth_, mapping_, whole.coupling.kernel, build_reflections<D>(whole),
                       whole.coupling.scheme, whole.coupling.marker_spacing);
+}
+
+/// Bound of sum |u| / h from walls and solids that move when the run starts.
+template <int D>
+double Simulation<D>::start_rate() const {
+  double speed = 0;
+  for (const auto& side : case_.domain.sides) speed = std::max(speed, side.velocity.norm());
+  for (const auto& solid : mapping_.solids())
+    speed = std::max(speed, std::abs(solid.drive.speed(0)) * grid_.mesh().size().norm());
+  return speed * grid_.mesh().h.cwiseInverse().sum();
 }
 
 /// Length of the next step; also notes what limits it.
@@ -47,8 +58,8 @@ double Simulation<D>::choose_step(double latest) {
     if (bound < dt) dt = bound, last_.limit = limit;
   };
   if (courant_rate_ > 0) take(time.cfl / courant_rate_, StepLimit::courant);
-  if (last_.dt > 0) take(growth * last_.dt, StepLimit::growth);
   if (slip_factor_ < 1) take(slip_factor_ * dt, StepLimit::slip);
+  if (last_.dt > 0) take(growth * last_.dt, StepLimit::growth);
   const double left = latest - last_.time;
   const double even = left / std::ceil(left / dt - 1e-3);  // equal steps up to the sample
   if (even < 0.999 * dt) last_.limit = StepLimit::sample;

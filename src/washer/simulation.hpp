@@ -40,7 +40,7 @@ class Simulation {
     typename Coupling<D>::Report cloth;
     int flips = 0;  ///< 1 if a face opened or closed in this step
   };
-  /// One step, ending at `latest` at the latest.
+  /// One step, ending at `latest` at the latest unless its length is fixed.
   /// @throws RunError when the state makes no sense any more; it is left as it is for a last look
   const Step& step(double latest);
 
@@ -57,6 +57,7 @@ class Simulation {
   SurfaceLoads<D> loads(std::size_t solid) const;
 
  private:
+  double start_rate() const;
   double choose_step(double latest);
   void move_solids(double dt);
   void move_cloth_and_water(double dt);

@@ -103,6 +103,15 @@ TEST_F(Program, RefusesWrongCommandLines) {
   refuses("wash", "unknown command wash; there are run, check, reference");
 }
 
+TEST_F(Program, DoesNotWriteOverTheCaseFile) {
+  fs::create_directories(folder / "own");
+  fs::copy_file(wash(), folder / "own" / "case.toml");
+  const Outcome outcome = run("run own/case.toml -o own --force");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.text.find("is the folder of the case file"), std::string::npos);
+  EXPECT_TRUE(fs::exists(folder / "own" / "case.toml"));
+}
+
 TEST_F(Program, KeepsResultsOfAnotherRun) {
   const fs::path results = folder / "out" / "wash-3d";
   fs::create_directories(results);

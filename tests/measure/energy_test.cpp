@@ -39,6 +39,11 @@ TEST(Energy, SamplesAcrossTheWindowsEdgeCountInPart) {
   EXPECT_TRUE(std::isnan(mean_power(samples, {5, 9})));
 }
 
+TEST(Energy, SamplesWithoutLengthDoNotCount) {
+  const std::vector<TorqueSample> samples = {{{0, 1}, 3, 2}, {{1, 1}, 0, 0}, {{1, 2}, 1, 4}};
+  EXPECT_DOUBLE_EQ(work(samples, {0, 2}), 10);
+}
+
 TEST(Energy, UnfinishedCyclesAreLeftOut) {
   const std::vector<TorqueSample> samples = {{{0, 1}, 1, 1}, {{1, 2.5}, 3, 1}};
   EXPECT_EQ(energy_per_cycle(samples, 0, 1).size(), 2);

@@ -179,7 +179,7 @@ TEST(Book, SaysWhyItHasNoPlace) {
   Case whole = wash(16);
   whole.cloth[0].inner_radius = 0.02;
   EXPECT_THAT(error_of(whole),
-              AllOf(HasSubstr("cloth 0 of 16: no free place"), HasSubstr("solid \"agitator\""),
+              AllOf(HasSubstr("piece 1 of 16: no free place"), HasSubstr("solid \"agitator\""),
                     HasSubstr("try a smaller cloth.count")));
 }
 
@@ -229,7 +229,7 @@ TEST(SingleSheet, LiesWhereTheCasePutsIt) {
 
 TEST(SingleSheet, IsRefusedWhereItCannotBe) {
   EXPECT_THAT(error_of(sheet_case({0.4, 0.45, 0.5})),
-              HasSubstr("cloth 0: the sheet touches solid \"ball\"; try another cloth.origin"));
+              HasSubstr("piece 1: the sheet touches solid \"ball\"; try another cloth.origin"));
   EXPECT_THAT(error_of(sheet_case({0.9, 0.5, 0.1})), HasSubstr("touches the upper x side"));
   EXPECT_THAT(error_of(sheet_case({0.1, 0.1, -0.1})), HasSubstr("touches the floor"));
   Case skew = sheet_case({0.1, 0.1, 0.1});

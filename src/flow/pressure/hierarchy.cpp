@@ -45,7 +45,7 @@ std::vector<Coarsening<D>> coarsen(const Mesh<D>& mesh) {
     gathered = gathered || total <= gather_below;
     levels.push_back({factor, cells, h, gathered});
   }
-  if (levels.empty()) refuse(mesh);
+  if (levels.empty() || !levels.back().gathered) refuse(mesh);
   return levels;
 }
 

@@ -17,7 +17,9 @@ struct RowRange {
 
 struct SolveReport {
   int cycles = 0;
-  double residual = 0;  ///< largest |b - A p| over the live cells
+  /// Largest |b - A p| over the live cells; of a pocket without way out, less its mean, which no
+  /// pressure can balance.
+  double residual = 0;
   bool converged = false;
 };
 
@@ -51,8 +53,6 @@ class Multigrid {
   /// Improves pressure() until the residual is at most `tolerance` in every live cell.
   /// On return the ghosts of the pressure are current.
   SolveReport solve(double tolerance, int max_cycles);
-
-  int levels() const { return static_cast<int>(coarse_.size()) + 1; }
 
  private:
   enum class Start { keep, set, add };
