@@ -11,6 +11,7 @@ find_package(GTest REQUIRED)
 find_package(benchmark REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
+pkg_check_modules(muparser REQUIRED IMPORTED_TARGET muparser)
 find_library(UDUNITS2_LIBRARY udunits2 REQUIRED)
 
 # Third-party headers are not held to our warnings.
@@ -19,5 +20,5 @@ target_include_directories(washtub_libraries SYSTEM INTERFACE
   ${MPI_CXX_INCLUDE_DIRS} ${HDF5_INCLUDE_DIRS} ${EIGEN3_INCLUDE_DIRS})
 target_link_libraries(washtub_libraries INTERFACE
   MPI::MPI_CXX ${HDF5_LIBRARIES} Eigen3::Eigen fmt::fmt spdlog::spdlog CLI11::CLI11
-  nlohmann_json::nlohmann_json PkgConfig::tomlplusplus ${UDUNITS2_LIBRARY})
+  nlohmann_json::nlohmann_json PkgConfig::tomlplusplus PkgConfig::muparser ${UDUNITS2_LIBRARY})
 target_compile_definitions(washtub_libraries INTERFACE OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)

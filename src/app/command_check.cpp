@@ -92,7 +92,7 @@ void print_cloth(const Case& whole) {
     print_line("cloth",
                fmt::format("{} pieces of {} m, {} nodes, {:.3g} lateral cells apart", cloth.count,
                            product(cloth.size, directions), product(nodes, directions),
-                           cloth.size[0] / (nodes[0] - 1) / lateral));
+                           cloth_spacing(cloth, whole)[0] / lateral));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,36 @@ void add_run(CLI::App& app, RunArguments& arguments) {
   command.add_flag("--force", arguments.force, "overwrite earlier results");
 }
 
+void add_modes(CLI::App& app, ModesArguments& arguments) {
+  CLI::App& command = *app.add_subcommand("modes", "natural frequencies of a case's cloth");
+  add_case(command, arguments.input);
+  command.add_option("--count", arguments.count, "lowest frequencies to show")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command.add_option("-o", arguments.file, "JSON file of the frequencies")->type_name("FILE");
+}
+
+void add_verify(CLI::App& app, VerifyArguments& arguments) {
+  CLI::App& command =
+      *app.add_subcommand("verify", "run the verification cases and judge what they compute");
+  command.add_option("NAME", arguments.names, "cases [all]");
+  const std::map<std::string, VerifyLevel> levels = {{"quick", VerifyLevel::quick},
+                                                     {"full", VerifyLevel::full}};
+  command.add_option("--level", arguments.level, "quick or full [quick]")
+      ->transform(CLI::Transformer(levels))
+      ->type_name("LEVEL");
+  command.add_flag("--list", arguments.list, "name the cases and their runs");
+  command.add_option("-o", arguments.directory, "directory of the results")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command.add_option("--cases", arguments.cases, "folder of the cases [the program's own]")
+      ->type_name("DIR");
+  command.add_option("-j", arguments.jobs, "runs at once [physical cores]")
+      ->type_name("JOBS")
+      ->check(CLI::PositiveNumber);
+  command.add_flag("--force", arguments.force, "repeat finished runs");
+}
+
 /// @throws InputError where a word stands in the place of the command and is none.
 void check_command(const CLI::App& app, const std::string& word) {
   std::vector<std::string> names;
@@ -51,6 +82,10 @@ int command_line(int argc, char** argv) {
   add_run(app, run);
   CaseArguments check;
   add_case(*app.add_subcommand("check", "validate a case and show what it means"), check);
+  ModesArguments modes;
+  add_modes(app, modes);
+  VerifyArguments verify;
+  add_verify(app, verify);
   app.add_subcommand("reference", "print the input reference");
   try {
     app.parse(argc, argv);
@@ -62,6 +97,8 @@ int command_line(int argc, char** argv) {
     return 2;
   }
   if (app.got_subcommand("run")) return command_run(run);
+  if (app.got_subcommand("modes")) return command_modes(modes);
+  if (app.got_subcommand("verify")) return command_verify(verify);
   return app.got_subcommand("check") ? command_check(check) : command_reference();
 }
 

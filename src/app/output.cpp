@@ -8,6 +8,26 @@
 #include "io/summary.hpp"
 
 namespace washtub {
+namespace {
+
+constexpr const char* axes[] = {"x", "y", "z"};
+
+/// Whether the last node along an axis meets the first one; a periodic sheet goes on beyond the
+/// box.
+template <int D>
+bool closes(const Sheet<D>& sheet, std::size_t axis) {
+  return sheet.closed[axis] && sheet.period[axis].isZero(0);
+}
+
+template <int D>
+bool has_rings(const Cloth<D>& cloth) {
+  if constexpr (D == 2)
+    for (const auto& group : cloth.groups)
+      if (is_ring(group.sheet)) return true;
+  return false;
+}
+
+}  // namespace
 
 template <int D>
 Output<D>::Output(const Simulation<D>& simulation, const Observer<D>& observer,
@@ -43,7 +63,11 @@ std::vector<Column> Output<D>::history_columns() const {
     }
     for (const char* part : {"", " friction", " pressure", " convection"})
       c.push_back({s.name + part + " torque", torque});
+    for (int d = 0; d < D; ++d) c.push_back({s.name + " force " + axes[d], D == 3 ? "N" : "N/m"});
   }
+  if (const auto& exact = simulation_.definition().exact)
+    for (const char* which : {"largest", "rms"})
+      c.push_back({which + std::string(" velocity error"), exact->relative ? "" : "m/s"});
   if (simulation_.cloth().pieces() == 0) return c;
   c.insert(c.end(), {{"stress", "Pa"},
                      {"membrane stress", "Pa"},
@@ -53,6 +77,9 @@ std::vector<Column> Output<D>::history_columns() const {
                      {"largest strain", ""},
                      {"slip", "m/s"},
                      {"newton steps", ""}});
+  for (const ProbeCase& probe : simulation_.definition().probes)
+    for (int d = 0; d < D; ++d) c.push_back({probe.name + " " + axes[d], "m"});
+  if (has_rings(simulation_.cloth())) c.push_back({"enclosed area", "m^2"});
   return c;
 }
 
@@ -79,11 +106,16 @@ void Output<D>::add_row(const Sample& sample) {
     if (simulation_.mapping().solids()[s].drive.moving())
       row.insert(row.end(), {solid.angle, solid.speed, -solid.torque * solid.speed});
     row.insert(row.end(), {solid.torque, solid.friction, solid.pressure, solid.convection});
+    row.insert(row.end(), solid.force.begin(), solid.force.begin() + D);
   }
+  if (simulation_.definition().exact)
+    row.insert(row.end(), {sample.error.largest, sample.error.rms});
   if (tracks_) {
     row.insert(row.end(), {sample.stress.total, sample.stress.membrane, sample.stress.bending,
                            sample.centre[0], sample.centre[1], step.cloth.largest_strain,
                            step.cloth.slip, static_cast<double>(step.cloth.iterations)});
+    for (const Vec<3>& x : sample.probes) row.insert(row.end(), x.begin(), x.begin() + D);
+    if (has_rings(simulation_.cloth())) row.push_back(sample.enclosed_area);
     std::vector<double> tracks = {sample.time};
     for (std::size_t p = 0; p < sample.centres.size(); ++p)
       tracks.insert(tracks.end(),
@@ -132,9 +164,12 @@ void Output<D>::add_frame() {
       const auto part = [&](const std::vector<double>& v) {
         return std::span<const double>(v).subspan(first, X.size());
       };
-      frame.cloth.push_back(
-          {g.sheet.extent, std::span<const double>(X.front().data(), X.size() * D),
-           part(observer_.membrane()), part(observer_.bending()), part(observer_.total())});
+      frame.cloth.push_back({g.sheet.extent,
+                             std::span<const double>(X.front().data(), X.size() * D),
+                             part(observer_.membrane()),
+                             part(observer_.bending()),
+                             part(observer_.total()),
+                             {closes(g.sheet, 0), closes(g.sheet, 1)}});
     }
   for (const auto& s : simulation_.mapping().solids())
     frame.solids.push_back({s.name, s.drive.angle(frame.time)});

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/expression.hpp"
 #include "base/format.hpp"
 
 namespace washtub {
@@ -42,6 +43,21 @@ Format<V> per_axis(const Format<Entry>& entry, int drop, const std::string& what
   return {read, write, fmt::format("{}, {}", entry.type, per), entry.allowed};
 }
 
+/// One entry per direction along a sheet; a single one stands for all of them.
+template <class V, class Entry>
+Format<V> alone_for_all(const Format<Entry>& one, const std::string& what, V rest) {
+  auto format = per_axis<V>(one, 1, what, rest);
+  format.read = [=, list = format.read](const Node& node, int dimension) {
+    if (node.is_list()) return list(node, dimension);
+    V all = rest;
+    for (size_t i = 0; i + 1 < static_cast<size_t>(dimension); ++i)
+      all[i] = one.read(node, dimension);
+    return all;
+  };
+  format.type = one.type + ", or one per direction of the sheet";
+  return format;
+}
+
 template <class Entry>
 Format<std::vector<Entry>> list_of(const Format<Entry>& entry, const std::string& what) {
   auto read = [=](const Node& node, int dimension) {
@@ -57,7 +73,59 @@ Format<std::vector<Entry>> list_of(const Format<Entry>& entry, const std::string
   return {read, write, "list of " + entry.type, entry.allowed};
 }
 
+/// The text of a formula; a quantity becomes its SI value.
+std::string read_formula(const Node& node, const Measure& measure,
+                         const std::vector<std::string>& variables) {
+  const auto* text = std::get_if<std::string>(&node.value);
+  if (!text)
+    throw error_at(node, fmt::format("expected a formula in {} between quotes such as \"2 * x\", "
+                                     "or \"{}\"",
+                                     measure.unit, measure.example));
+  try {
+    return number_text(parse_quantity(*text, measure));
+  } catch (const InputError&) {  // then it is a formula
+  }
+  try {
+    const Expression formula(*text, variables);
+  } catch (const InputError& error) {
+    throw error_at(node, error.what());
+  }
+  return *text;
+}
+
+Format<std::string> formula(const Measure& measure, bool with_time) {
+  return {[=](const Node& node, int dimension) {
+            return read_formula(node, measure, formula_variables(dimension, with_time));
+          },
+          [](const std::string& text, int) { return quoted(text); },
+          fmt::format("formula [{}]", measure.unit), ""};
+}
+
 }  // namespace
+
+std::vector<std::string> formula_variables(int dimension, bool with_time) {
+  std::vector<std::string> variables = {"x", "y"};
+  if (dimension == 3) variables.push_back("z");
+  variables.push_back("r");
+  if (with_time) variables.push_back("t");
+  return variables;
+}
+
+Format<std::array<std::string, 3>> formulas(const Measure& measure, bool with_time) {
+  auto format = per_axis<std::array<std::string, 3>>(formula(measure, with_time), 0,
+                                                     "formulas such as \"2 * x\"", {"0", "0", "0"});
+  format.allowed = fmt::format("of x, y, z, r = sqrt(x^2 + y^2){}", with_time ? ", t" : "");
+  return format;
+}
+
+Format<std::vector<int>> names_of(const std::vector<std::string>& names) {
+  auto format = list_of(name_of(names), "names such as " + quoted(names.front()));
+  format.read = [one = name_of(names), list = format.read](const Node& node, int dimension) {
+    if (node.is_list()) return list(node, dimension);
+    return std::vector<int>{one.read(node, dimension)};
+  };
+  return format;
+}
 
 Format<Vec<3>> vector(const Measure& measure, const Range& range) {
   return per_axis<Vec<3>>(quantity(measure, range), 0, entries_of(measure), Vec<3>::Zero());
@@ -84,7 +152,11 @@ Format<std::array<double, 2>> extents(const Measure& measure, const Range& range
 }
 
 Format<std::array<int, 2>> sheet_counts(const Range& range) {
-  return per_axis<std::array<int, 2>>(integer(range), 1, "integers such as 7", {1, 1});
+  return alone_for_all<std::array<int, 2>>(integer(range), "integers such as 7", {1, 1});
+}
+
+Format<std::array<bool, 2>> sheet_flags() {
+  return alone_for_all<std::array<bool, 2>>(boolean(), "values true or false", {false, false});
 }
 
 Format<std::array<double, 2>> interval(const Measure& measure, const Range& range) {

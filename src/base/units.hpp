@@ -22,6 +22,8 @@ inline constexpr Measure density{"density", "kg/m^3", "1000 kg/m^3"};
 inline constexpr Measure viscosity{"dynamic viscosity", "Pa s", "1 Pa s"};
 inline constexpr Measure stiffness{"force per length", "N/m", "8e5 N/m"};
 inline constexpr Measure bending{"bending stiffness", "N m", "1e-5 N m"};
+inline constexpr Measure acceleration{"acceleration", "m/s^2", "9.81 m/s^2"};
+inline constexpr Measure curvature{"curvature", "m^-1", "4 m^-1"};
 inline constexpr Measure areal_mass{"mass per area", "kg/m^2", "9.3e-2 kg/m^2"};
 }  // namespace measure
 

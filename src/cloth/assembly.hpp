@@ -41,32 +41,45 @@ class Assembly {
   template <int N>
   using Pairs = std::array<Pair, N*(N + 1) / 2>;
 
-  template <int N>
+  template <int N, bool seam>
   struct Element {
-    Strain<N> strain;
+    Strain<D, N, seam> strain;
     Pairs<N> pairs;
   };
+  template <bool seam>
+  struct Part {
+    std::vector<Element<1, seam>> edges;
+    std::vector<Element<2, seam>> shears;
+    std::vector<Element<4, seam>> dilations;
+  };
 
-  template <int N, class Locate>
-  static std::vector<Element<N>> locate(const std::vector<Strain<N>>& strains, const Locate& place);
-  template <int L, int N>
-  static void add(const Element<N>& element, const double* X, const double* floor, double* blocks);
+  template <int N, bool seam, class Locate>
+  static std::vector<Element<N, seam>> locate(const std::vector<Strain<D, N, seam>>& strains,
+                                              const Locate& place);
+  template <bool seam, class Locate>
+  static Part<seam> locate(const Elements<D, seam>& elements, const Locate& place);
+  template <bool seam, class Locate>
+  void add_bending(const std::vector<Bend<D, seam>>& bends, const Locate& place);
+  template <int L, int N, bool seam>
+  static void add(const Element<N, seam>& element, const double* X, const double* floor,
+                  double* blocks);
+  template <int L, bool seam>
+  static void add(const Part<seam>& part, const double* X, const double* floor, double* blocks);
   template <int L>
   void start(double* blocks) const;
 
-  std::vector<Element<1>> edges_;
-  std::vector<Element<2>> shears_;
-  std::vector<Element<4>> dilations_;
+  Part<false> inner_;
+  Part<true> seam_;
   std::vector<double> bending_;  ///< constant multiple of the identity in each block
 };
 
 template <int D>
-template <int N, class Locate>
-auto Assembly<D>::locate(const std::vector<Strain<N>>& strains, const Locate& place)
-    -> std::vector<Element<N>> {
-  std::vector<Element<N>> out;
+template <int N, bool seam, class Locate>
+auto Assembly<D>::locate(const std::vector<Strain<D, N, seam>>& strains, const Locate& place)
+    -> std::vector<Element<N, seam>> {
+  std::vector<Element<N, seam>> out;
   for (const auto& strain : strains) {
-    Element<N> element{strain, {}};
+    Element<N, seam> element{strain, {}};
     int n = 0;
     for (int e = 0; e < N; ++e) {
       for (int f = 0; f <= e; ++f) {
@@ -81,13 +94,24 @@ auto Assembly<D>::locate(const std::vector<Strain<N>>& strains, const Locate& pl
 }
 
 template <int D>
+template <bool seam, class Locate>
+auto Assembly<D>::locate(const Elements<D, seam>& elements, const Locate& place) -> Part<seam> {
+  return {locate(elements.edges, place), locate(elements.shears, place),
+          locate(elements.dilations, place)};
+}
+
+template <int D>
 template <class Locate>
 Assembly<D>::Assembly(const Sheet<D>& sheet, int blocks, const Locate& place)
-    : edges_(locate(sheet.edges, place)),
-      shears_(locate(sheet.shears, place)),
-      dilations_(locate(sheet.dilations, place)),
-      bending_(blocks, 0.0) {
-  for (const auto& e : sheet.bends) {
+    : inner_(locate(sheet.inner, place)), seam_(locate(sheet.seam, place)), bending_(blocks, 0.0) {
+  add_bending(sheet.inner.bends, place);
+  add_bending(sheet.seam.bends, place);
+}
+
+template <int D>
+template <bool seam, class Locate>
+void Assembly<D>::add_bending(const std::vector<Bend<D, seam>>& bends, const Locate& place) {
+  for (const auto& e : bends) {
     for (int m = 0; m < e.count; ++m) {
       for (int n = 0; n <= m; ++n) {
         const Place p = place(e.node[m], e.node[n]);
@@ -138,10 +162,10 @@ void add_spring(double factor, const double* E, const double* floor, double* M) 
 }  // namespace elastic
 
 template <int D>
-template <int L, int N>
-void Assembly<D>::add(const Element<N>& element, const double* X, const double* floor,
+template <int L, int N, bool seam>
+void Assembly<D>::add(const Element<N, seam>& element, const double* X, const double* floor,
                       double* blocks) {
-  const Strain<N>& e = element.strain;
+  const Strain<D, N, seam>& e = element.strain;
   const elastic::Legs<D, L, N> legs(e, X);
   alignas(64) double E[L], M[D * D * L];
   legs.strain(e, E);
@@ -173,12 +197,20 @@ void Assembly<D>::start(double* blocks) const {
 }
 
 template <int D>
+template <int L, bool seam>
+void Assembly<D>::add(const Part<seam>& part, const double* X, const double* floor,
+                      double* blocks) {
+  for (const auto& e : part.edges) add<L>(e, X, floor, blocks);
+  for (const auto& e : part.shears) add<L>(e, X, floor, blocks);
+  for (const auto& e : part.dilations) add<L>(e, X, floor, blocks);
+}
+
+template <int D>
 template <int L>
 void Assembly<D>::assemble(const double* X, const double* floor, double* blocks) const {
   start<L>(blocks);
-  for (const auto& e : edges_) add<L>(e, X, floor, blocks);
-  for (const auto& e : shears_) add<L>(e, X, floor, blocks);
-  for (const auto& e : dilations_) add<L>(e, X, floor, blocks);
+  add<L>(inner_, X, floor, blocks);
+  add<L>(seam_, X, floor, blocks);
 }
 
 }  // namespace washtub

@@ -11,8 +11,9 @@ template <int D>
 struct ClothGroup {
   Sheet<D> sheet;
   int pieces = 0;
-  int first_node = 0;   ///< in the arrays of Cloth
-  int first_piece = 0;  ///< among all pieces
+  int first_node = 0;         ///< in the arrays of Cloth
+  int first_piece = 0;        ///< among all pieces
+  std::vector<int> pinned{};  ///< nodes of every piece that never move
 
   int nodes() const { return sheet.nodes() * pieces; }
   int node(int piece, int local) const { return first_node + piece * sheet.nodes() + local; }
@@ -27,10 +28,11 @@ struct Cloth {
   std::vector<Vec<D>> velocity_before;  ///< over the step before [m/s]
   std::vector<Vec<D>> elastic;          ///< -dW/dX of the last step [N]
 
-  /// Adds a group whose pieces stand at `where` (pieces x nodes).
-  void add(const Sheet<D>& sheet, std::span<const Vec<D>> where) {
-    ClothGroup<D> g{sheet, static_cast<int>(where.size()) / sheet.nodes(), nodes(), pieces()};
-    groups.push_back(g);
+  /// Adds a group whose pieces stand at `where` (pieces x nodes), each held at its nodes `pinned`.
+  void add(const Sheet<D>& sheet, std::span<const Vec<D>> where,
+           const std::vector<int>& pinned = {}) {
+    const int count = static_cast<int>(where.size()) / sheet.nodes();
+    groups.push_back({sheet, count, nodes(), pieces(), pinned});
     position.insert(position.end(), where.begin(), where.end());
     for (auto* v : {&velocity, &velocity_before, &elastic})
       v->resize(position.size(), Vec<D>::Zero());

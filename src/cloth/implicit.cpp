@@ -14,9 +14,13 @@ int springs_per_node(const Sheet<D>& sheet) {
     for (const auto& e : strains)
       for (const auto& leg : e.leg) ++count[leg[0]], ++count[leg[1]];
   };
-  add(sheet.edges);
-  add(sheet.shears);
-  add(sheet.dilations);
+  const auto add_all = [&](const auto& elements) {
+    add(elements.edges);
+    add(elements.shears);
+    add(elements.dilations);
+  };
+  add_all(sheet.inner);
+  add_all(sheet.seam);
   return *std::max_element(count.begin(), count.end());
 }
 

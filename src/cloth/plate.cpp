@@ -1,6 +1,7 @@
 #include "cloth/plate.hpp"
 
 #include "base/error.hpp"
+#include "cloth/join.hpp"
 
 namespace washtub {
 namespace {
@@ -16,13 +17,11 @@ void check(std::array<int, 2> nodes, std::array<double, 2> spacing, const Materi
     throw InputError("a plate needs Poisson's ratio from 0 to below 1");
 }
 
-bool inside(int i, int n) { return i > 0 && i < n - 1; }
-
 void add_areas(Sheet<3>& sheet) {
   const auto [nr, ns] = sheet.extent;
   for (int j = 0; j < ns; ++j) {
     for (int i = 0; i < nr; ++i) {
-      const double share = (inside(i, nr) ? 1 : 0.5) * (inside(j, ns) ? 1 : 0.5);
+      const double share = (sheet.inside(0, i) ? 1 : 0.5) * (sheet.inside(1, j) ? 1 : 0.5);
       sheet.area.push_back(share * sheet.spacing[0] * sheet.spacing[1]);
     }
   }
@@ -32,76 +31,75 @@ void add_edges(Sheet<3>& sheet) {
   const auto [nr, ns] = sheet.extent;
   const auto [dr, ds] = sheet.spacing;
   const double stiffness = sheet.material.stretch * (1 - sheet.material.poisson) * dr * ds;
-  const auto edge = [&](int a, int b, double length, bool whole) {
+  const auto edge = [&](const Image<3>& a, const Image<3>& b, double length, bool whole) {
     const double share = whole ? 1 : 0.5;
-    sheet.edges.push_back({{{{a, b}}}, {0.5 / (length * length)}, -0.5, share * stiffness});
+    join_strain<1>(sheet, {{{a, b}}}, {0.5 / (length * length)}, -0.5, share * stiffness);
   };
   for (int j = 0; j < ns; ++j) {
     for (int i = 0; i < nr; ++i) {
-      const int x = sheet.node(i, j);
-      if (i + 1 < nr) edge(x, sheet.node(i + 1, j), dr, inside(j, ns));
-      if (j + 1 < ns) edge(x, sheet.node(i, j + 1), ds, inside(i, nr));
+      const Image<3> x = sheet.image(i, j);
+      if (i < sheet.intervals(0)) edge(x, sheet.image(i + 1, j), dr, sheet.inside(1, j));
+      if (j < sheet.intervals(1)) edge(x, sheet.image(i, j + 1), ds, sheet.inside(0, i));
     }
   }
 }
 
-/// Shear E_sr = (|X_3 - X_0|^2 - |X_2 - X_1|^2)/(8 area), twist and dilation of each quad.
-void add_quads(Sheet<3>& sheet) {
+/// Shear E_sr = (|X_3 - X_0|^2 - |X_2 - X_1|^2)/(8 area), twist and dilation of quad (i, j).
+void add_quad(Sheet<3>& sheet, int i, int j) {
   const auto [dr, ds] = sheet.spacing;
   const double a = dr * ds, wr = 0.25 / (dr * dr), ws = 0.25 / (ds * ds);
   const Material& m = sheet.material;
-  for (int j = 0; j + 1 < sheet.extent[1]; ++j) {
-    for (int i = 0; i + 1 < sheet.extent[0]; ++i) {
-      const int x0 = sheet.node(i, j), x1 = x0 + 1, x2 = sheet.node(i, j + 1), x3 = x2 + 1;
-      sheet.shears.push_back({{{{x0, x3}, {x1, x2}}}, {0.125 / a, -0.125 / a}, 0, 2 * m.shear * a});
-      sheet.bends.push_back(
-          {4, {x0, x1, x2, x3}, {1 / a, -1 / a, -1 / a, 1 / a}, 2 * m.torsion * a});
-      if (m.poisson > 0)
-        sheet.dilations.push_back({{{{x0, x1}, {x2, x3}, {x0, x2}, {x1, x3}}},
-                                   {wr, wr, ws, ws},
-                                   -1,
-                                   m.stretch * m.poisson * a});
-    }
-  }
+  const Image<3> x0 = sheet.image(i, j), x1 = sheet.image(i + 1, j);
+  const Image<3> x2 = sheet.image(i, j + 1), x3 = sheet.image(i + 1, j + 1);
+  join_strain<2>(sheet, {{{x0, x3}, {x1, x2}}}, {0.125 / a, -0.125 / a}, 0, 2 * m.shear * a);
+  join_bend(sheet, {{x0, 1 / a}, {x1, -1 / a}, {x2, -1 / a}, {x3, 1 / a}}, 2 * m.torsion * a);
+  if (m.poisson > 0)
+    join_strain<4>(sheet, {{{x0, x1}, {x2, x3}, {x0, x2}, {x1, x3}}}, {wr, wr, ws, ws}, -1,
+                   m.stretch * m.poisson * a);
 }
 
-/// Curvatures at nodes. Inside, |p|^2 + 2 nu p.q + |q|^2 = (1 - nu)(|p|^2 + |q|^2) + nu |p + q|^2;
+/// Curvatures at node (i, j). Inside,
+/// |p|^2 + 2 nu p.q + |q|^2 = (1 - nu)(|p|^2 + |q|^2) + nu |p + q|^2;
 /// on a border its least value over the missing one, (1 - nu^2)|p|^2.
-void add_curvatures(Sheet<3>& sheet) {
-  const auto [nr, ns] = sheet.extent;
+void add_curvatures(Sheet<3>& sheet, int i, int j) {
   const double wr = 1 / (sheet.spacing[0] * sheet.spacing[0]);
   const double ws = 1 / (sheet.spacing[1] * sheet.spacing[1]);
   const double nu = sheet.material.poisson;
-  for (int j = 0; j < ns; ++j) {
-    for (int i = 0; i < nr; ++i) {
-      const int x = sheet.node(i, j);
-      const bool along_r = inside(i, nr), along_s = inside(j, ns);
-      const double stiffness = sheet.material.bending * sheet.area[x];
-      const double own = stiffness * (along_r && along_s ? 1 - nu : 1 - nu * nu);
-      if (along_r) sheet.bends.push_back({3, {x - 1, x, x + 1}, {wr, -2 * wr, wr}, own});
-      if (along_s) sheet.bends.push_back({3, {x - nr, x, x + nr}, {ws, -2 * ws, ws}, own});
-      if (along_r && along_s && nu > 0)
-        sheet.bends.push_back({5,
-                               {x - 1, x + 1, x, x - nr, x + nr},
-                               {wr, wr, -2 * (wr + ws), ws, ws},
-                               stiffness * nu});
-    }
-  }
+  const bool along_r = sheet.inside(0, i), along_s = sheet.inside(1, j);
+  const double stiffness = sheet.material.bending * sheet.area[sheet.node(i, j)];
+  const double own = stiffness * (along_r && along_s ? 1 - nu : 1 - nu * nu);
+  const auto add = [&](double factor, double r, double s) {
+    std::vector<std::pair<Image<3>, double>> terms = {{sheet.image(i, j), -2 * (r + s)}};
+    const auto pair = [&](const Image<3>& a, const Image<3>& b, double w) {
+      if (w > 0) terms.insert(terms.end(), {{a, w}, {b, w}});
+    };
+    pair(sheet.image(i - 1, j), sheet.image(i + 1, j), r);
+    pair(sheet.image(i, j - 1), sheet.image(i, j + 1), s);
+    join_bend(sheet, terms, factor);
+  };
+  if (along_r) add(own, wr, 0);
+  if (along_s) add(own, 0, ws);
+  if (along_r && along_s && nu > 0) add(stiffness * nu, wr, ws);
 }
 
 }  // namespace
 
 Sheet<3> make_plate(std::array<int, 2> nodes, std::array<double, 2> spacing,
-                    const Material& material) {
+                    const Material& material, std::array<bool, 2> closed,
+                    const std::array<Vec<3>, 2>& period) {
   check(nodes, spacing, material);
   Sheet<3> sheet;
   sheet.extent = nodes;
   sheet.spacing = spacing;
   sheet.material = material;
+  sheet.closed = closed;
+  sheet.period = period;
   add_areas(sheet);
   add_edges(sheet);
-  add_quads(sheet);
-  add_curvatures(sheet);
+  for (int j = 0; j < sheet.intervals(1); ++j)
+    for (int i = 0; i < sheet.intervals(0); ++i) add_quad(sheet, i, j);
+  for (int j = 0; j < nodes[1]; ++j)
+    for (int i = 0; i < nodes[0]; ++i) add_curvatures(sheet, i, j);
   return sheet;
 }
 

@@ -23,10 +23,14 @@ std::vector<std::pair<int, int>> couplings(const Sheet<D>& sheet) {
       couple(nodes);
     }
   };
-  couple_legs(sheet.edges);
-  couple_legs(sheet.shears);
-  couple_legs(sheet.dilations);
-  for (const auto& e : sheet.bends) couple({e.node.begin(), e.node.begin() + e.count});
+  const auto couple_all = [&](const auto& elements) {
+    couple_legs(elements.edges);
+    couple_legs(elements.shears);
+    couple_legs(elements.dilations);
+    for (const auto& e : elements.bends) couple({e.node.begin(), e.node.begin() + e.count});
+  };
+  couple_all(sheet.inner);
+  couple_all(sheet.seam);
   return {pairs.begin(), pairs.end()};
 }
 

@@ -4,30 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "base/vec.hpp"
+#include "cloth/element.hpp"
 #include "cloth/material.hpp"
 
 namespace washtub {
-
-/// Energy of one membrane strain, E = offset + sum_k weight_k |X_{b_k} - X_{a_k}|^2 over N legs
-/// (a_k, b_k): W = stiffness E^2 / 2. In that form the geometric part of the Hessian is a spring of
-/// stiffness 2 weight_k dW/dE along each leg.
-template <int N>
-struct Strain {
-  std::array<std::array<int, 2>, N> leg;
-  std::array<double, N> weight;  ///< [1/m^2]
-  double offset = 0;
-  double stiffness = 0;  ///< [J]; per unit depth in 2-D
-};
-
-/// Energy of one second difference v = sum_k weight_k X_{node_k} over `count` nodes:
-/// W = stiffness |v|^2 / 2, so that its Hessian is constant.
-struct Bend {
-  int count = 0;
-  std::array<int, 5> node{};
-  std::array<double, 5> weight{};  ///< [1/m^2]
-  double stiffness = 0;            ///< [J m^2]; per unit depth in 2-D
-};
 
 /// An elastic sheet at rest: a regular grid over arc length (r, s), the elements of its discrete
 /// energy W, and nothing that changes while it moves. Node (i, j) at r = i ds_r, s = j ds_s has
@@ -39,14 +19,22 @@ struct Sheet {
   std::array<int, 2> extent{};      ///< nodes along r and s
   std::array<double, 2> spacing{};  ///< ds_r, ds_s [m]; ds_r unused in 2-D
   Material material;
-  std::vector<double> area;          ///< per node [m^2], in 2-D length [m]; borders halved
-  std::vector<Strain<1>> edges;      ///< E_ss and E_rr of single edges
-  std::vector<Strain<2>> shears;     ///< E_sr of quads, by their diagonals
-  std::vector<Strain<4>> dilations;  ///< E_ss + E_rr of quads, if nu is not 0
-  std::vector<Bend> bends;           ///< curvatures and twist
+  /// Along r and s: beyond the last node comes the first one again, moved by `period` [m] (0 in a
+  /// ring or tube).
+  std::array<bool, 2> closed{};
+  std::array<Vec<D>, 2> period{Vec<D>::Zero(), Vec<D>::Zero()};
+  std::vector<double> area;  ///< per node [m^2], in 2-D length [m]; halved on a border
+  Elements<D, false> inner;  ///< all but those across a seam with a period
+  Elements<D, true> seam;
 
   int nodes() const { return extent[0] * extent[1]; }
   int node(int i, int j) const { return i + extent[0] * j; }
+  /// Node (i, j), where i and j may lie up to a whole turn beyond the seam of a closed direction.
+  Image<D> image(int i, int j) const;
+  /// Intervals between nodes along an axis, that of the seam included.
+  int intervals(int axis) const { return closed[axis] ? extent[axis] : extent[axis] - 1; }
+  /// Whether the i-th node along an axis has a neighbour on either side.
+  bool inside(int axis, int i) const { return closed[axis] || (i > 0 && i < extent[axis] - 1); }
   double smallest_spacing() const;
 
   /// Elastic energy W [J].
@@ -59,5 +47,18 @@ struct Sheet {
   /// compression are cut at `floor` <= 0 [N/m]; with floor = 0 it is positive semi-definite.
   Eigen::SparseMatrix<double> hessian(std::span<const Vec<D>> X, double floor) const;
 };
+
+template <int D>
+Image<D> Sheet<D>::image(int i, int j) const {
+  std::array<int, 2> at{i, j};
+  Vec<D> shift = Vec<D>::Zero();
+  for (int d = 0; d < 2; ++d) {
+    if (!closed[d]) continue;
+    const int turns = at[d] < 0 ? -1 : at[d] >= extent[d];
+    at[d] -= turns * extent[d];
+    shift += turns * period[d];
+  }
+  return {node(at[0], at[1]), shift};
+}
 
 }  // namespace washtub

@@ -36,6 +36,25 @@ double curvature(const Vec<D>& a, const Vec<D>& b, const Vec<D>& c, const Projec
   return 2 * std::fabs(project(turn)) / ((b - a).norm() + (c - b).norm());
 }
 
+template <int D>
+Vec<D> position(const Sheet<D>& sheet, std::span<const Vec<D>> X, int i, int j) {
+  const Image<D> image = sheet.image(i, j);
+  return X[image.node] + image.shift;
+}
+
+/// The first and the last node along an axis that are at most one edge away from the i-th.
+template <int D>
+std::array<int, 2> around(const Sheet<D>& sheet, int axis, int i) {
+  if (sheet.closed[axis]) return {i - 1, i + 1};
+  return {std::max(i - 1, 0), std::min(i + 1, sheet.extent[axis] - 1)};
+}
+
+/// The i-th node along an axis, or the one next to it if it lies on the border.
+template <int D>
+int inward(const Sheet<D>& sheet, int axis, int i) {
+  return sheet.closed[axis] ? i : std::clamp(i, 1, sheet.extent[axis] - 2);
+}
+
 /// Strains and curvatures of one node of a plate.
 class PlateNode {
  public:
@@ -44,15 +63,15 @@ class PlateNode {
 
   /// Mean |e| of the one or two edges along an axis.
   double strain(int axis) const {
-    const int here = at_[axis], end = sheet_.extent[axis] - 1;
+    const auto [first, last] = around(sheet_, axis, at_[axis]);
     double sum = 0;
-    if (here > 0) sum += std::fabs(edge_strain(x(axis, here - 1), x(axis, here), ds(axis)));
-    if (here < end) sum += std::fabs(edge_strain(x(axis, here), x(axis, here + 1), ds(axis)));
-    return sum / ((here > 0) + (here < end));
+    for (int k = first; k < last; ++k)
+      sum += std::fabs(edge_strain(x(axis, k), x(axis, k + 1), ds(axis)));
+    return sum / (last - first);
   }
 
   double curvature(int axis) const {
-    const int m = std::clamp(at_[axis], 1, sheet_.extent[axis] - 2);
+    const int m = inward(sheet_, axis, at_[axis]);
     const Vec<3> n = normal(tangent(0), tangent(1));
     return washtub::curvature(x(axis, m - 1), x(axis, m), x(axis, m + 1),
                               [&](const Vec<3>& v) { return v.dot(n); });
@@ -60,30 +79,26 @@ class PlateNode {
 
   /// Mean |e_sr| and mean |tau| of the one, two or four quads about the node.
   std::array<double, 2> shear_and_twist() const {
+    const auto [left, right] = around(sheet_, 0, at_[0]);
+    const auto [below, above] = around(sheet_, 1, at_[1]);
     std::array<double, 2> sum{};
-    int quads = 0;
-    for (int j = std::max(at_[1] - 1, 0); j <= std::min(at_[1], sheet_.extent[1] - 2); ++j) {
-      for (int i = std::max(at_[0] - 1, 0); i <= std::min(at_[0], sheet_.extent[0] - 2); ++i) {
-        add_quad(i, j, sum);
-        ++quads;
-      }
-    }
+    for (int j = below; j < above; ++j)
+      for (int i = left; i < right; ++i) add_quad(i, j, sum);
+    const int quads = (right - left) * (above - below);
     return {sum[0] / quads, sum[1] / quads};
   }
 
  private:
   double ds(int axis) const { return sheet_.spacing[axis]; }
-  const Vec<3>& at(int i, int j) const { return X_[sheet_.node(i, j)]; }
+  Vec<3> at(int i, int j) const { return position(sheet_, X_, i, j); }
   /// The node in this one's line along an axis.
-  const Vec<3>& x(int axis, int place) const {
-    return axis == 0 ? at(place, at_[1]) : at(at_[0], place);
-  }
+  Vec<3> x(int axis, int place) const { return axis == 0 ? at(place, at_[1]) : at(at_[0], place); }
   Vec<3> tangent(int axis) const {
-    const int here = at_[axis], end = sheet_.extent[axis] - 1;
-    return x(axis, std::min(here + 1, end)) - x(axis, std::max(here - 1, 0));
+    const auto [first, last] = around(sheet_, axis, at_[axis]);
+    return x(axis, last) - x(axis, first);
   }
   void add_quad(int i, int j, std::array<double, 2>& sum) const {
-    const Vec<3>&a = at(i, j), &b = at(i + 1, j), &c = at(i, j + 1), &d = at(i + 1, j + 1);
+    const Vec<3> a = at(i, j), b = at(i + 1, j), c = at(i, j + 1), d = at(i + 1, j + 1);
     const Vec<3> xr = (b - a + d - c) / (2 * ds(0)), xs = (c - a + d - b) / (2 * ds(1));
     const Vec<3> twist = (d - c - b + a) / (ds(0) * ds(1));
     const double lr = ((b - a).norm() + (d - c).norm()) / (2 * ds(0));
@@ -117,18 +132,20 @@ NodeStress stress(const PlateNode& node, const Material& m) {
 
 /// Mean |e_ss| of the one or two edges at a node of a thread.
 double strain(const Sheet<2>& thread, std::span<const Vec<2>> X, int i) {
-  const int first = std::max(i - 1, 0), last = std::min(i + 1, thread.nodes() - 1);
+  const auto [first, last] = around(thread, 1, i);
   double sum = 0;
   for (int k = first; k < last; ++k)
-    sum += std::fabs(edge_strain(X[k], X[k + 1], thread.spacing[1]));
+    sum += std::fabs(
+        edge_strain(position(thread, X, 0, k), position(thread, X, 0, k + 1), thread.spacing[1]));
   return sum / (last - first);
 }
 
 /// |kappa| at a node of a thread.
-double curvature(std::span<const Vec<2>> X, int i) {
-  const int m = std::clamp(i, 1, static_cast<int>(X.size()) - 2);
-  const Vec<2> along = X[m + 1] - X[m - 1], n = Vec<2>(-along.y(), along.x()).normalized();
-  return curvature(X[m - 1], X[m], X[m + 1], [&](const Vec<2>& v) { return v.dot(n); });
+double curvature(const Sheet<2>& thread, std::span<const Vec<2>> X, int i) {
+  const int m = inward(thread, 1, i);
+  const Vec<2> before = position(thread, X, 0, m - 1), after = position(thread, X, 0, m + 1);
+  const Vec<2> along = after - before, n = Vec<2>(-along.y(), along.x()).normalized();
+  return curvature(before, X[m], after, [&](const Vec<2>& v) { return v.dot(n); });
 }
 
 void check(const Material& m) {
@@ -151,7 +168,7 @@ void find_stress(const Sheet<2>& thread, std::span<const Vec<2>> X, std::span<No
   for (int i = 0; i < thread.nodes(); ++i) {
     NodeStress& o = out[i];
     o.membrane = m.stretch * strain(thread, X, i) / q;
-    o.bending = 6 * m.bending * curvature(X, i) / (q * q);
+    o.bending = 6 * m.bending * curvature(thread, X, i) / (q * q);
     o.total = o.component[1] = o.membrane + o.bending;
   }
 }

@@ -23,7 +23,7 @@ struct NodeStress {
 /// A strain belongs to an edge (shear and twist: to a quad); the node takes the mean of the
 /// magnitudes of its two (four) neighbours, so that tension alternating from edge to edge counts in
 /// full, neither cancelled nor doubled. A curvature belongs to a node; one on the border takes the
-/// value of the node next to it.
+/// value of the node next to it. A closed direction has no border.
 /// @throws InputError if the sheet's thickness is not given
 void find_stress(const Sheet<3>& plate, std::span<const Vec<3>> X, std::span<NodeStress> out);
 void find_stress(const Sheet<2>& thread, std::span<const Vec<2>> X, std::span<NodeStress> out);

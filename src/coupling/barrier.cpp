@@ -8,26 +8,46 @@ namespace {
 
 constexpr double least = 0.02;  // of the smallest spacing, kept even by nodes that start nearer
 constexpr int passes = 3;       // over the surfaces, for corners between them
+constexpr double clamp = 3;     // how far a pin frees its neighbours, in widest cell edges
 
 }  // namespace
 
 template <int D>
-Barrier<D>::Barrier(const Grid<D>& grid, const DomainMapping<D>& mapping,
-                    const std::vector<Vec<D>>& start)
+Barrier<D>::Barrier(const Grid<D>& grid, const DomainMapping<D>& mapping, const Cloth<D>& cloth)
     : grid_(grid),
       mapping_(mapping),
       widest_(0.5 * grid.mesh().h.maxCoeff()),
-      kept_(start.size(), 0),
-      clearance_(start.size(), 0),
-      accepted_(start) {
+      kept_(cloth.position.size(), 0),
+      clearance_(cloth.position.size(), 0),
+      alone_(cloth.position.size(), 0),
+      accepted_(cloth.position) {
   const auto& mesh = grid.mesh();
   const Vec<D> middle = mesh.lower + 0.5 * mesh.size();
   for (const auto& solid : mapping.solids()) {
     const Vec<D> off = middle - solid.centre.template head<D>();
     fastest_ = std::max(fastest_, solid.drive.peak() * (off.norm() + 0.5 * mesh.size().norm()));
   }
-  std::vector<Vec<D>> X = start;
+  free_clamps(cloth);
+  std::vector<Vec<D>> X = cloth.position;
   accept(X, 0);
+}
+
+template <int D>
+void Barrier<D>::free_clamps(const Cloth<D>& cloth) {
+  for (const auto& g : cloth.groups)
+    for (int p = 0; p < g.pieces; ++p) {
+      const auto X = cloth.piece(g, p);
+      for (const int pin : g.pinned)
+        for (int n = 0; n < g.sheet.nodes(); ++n) {
+          if ((X[static_cast<std::size_t>(n)] - X[static_cast<std::size_t>(pin)]).norm() >
+              2 * clamp * widest_)
+            continue;
+          bool close = n == pin;
+          for_near(X[static_cast<std::size_t>(n)],
+                   [&](const Surface& s) { close = close || s.psi > -margin(s.normal); });
+          if (close) alone_[static_cast<std::size_t>(g.node(p, n))] = 1;
+        }
+    }
 }
 
 /// Half a cell, measured along the normal.
@@ -108,7 +128,7 @@ const std::vector<typename Barrier<D>::Contact>& Barrier<D>::find(const std::vec
                                                                   double dt) {
   contacts_.clear();
   for (std::size_t i = 0; i < X.size(); ++i) {
-    if (clearance_[i] > travel(X[i] - accepted_[i], dt)) continue;
+    if (alone_[i] || clearance_[i] > travel(X[i] - accepted_[i], dt)) continue;
     Contact c{static_cast<int>(i), no_solid, X[i]};
     double depth = 0;
     if (project(c.to, c.node, c.solid, depth)) contacts_.push_back(c);
@@ -120,6 +140,7 @@ template <int D>
 typename Barrier<D>::Report Barrier<D>::accept(std::vector<Vec<D>>& X, double dt) {
   Report report;
   for (std::size_t i = 0; i < X.size(); ++i) {
+    if (alone_[i]) continue;
     clearance_[i] -= travel(X[i] - accepted_[i], dt);
     if (clearance_[i] <= 0) {
       int solid = no_solid;

@@ -7,11 +7,13 @@
 namespace washtub {
 
 /// Keeps cloth out of solids and inside the box: no node comes nearer to a surface than half a
-/// cell. A node that starts nearer may stay there, but not go deeper.
+/// cell. A node that starts nearer may stay there, but not go deeper. Left alone are pinned nodes,
+/// which may even be inside a solid, and nodes of the same piece that start nearer than half a cell
+/// to a surface and within three cells of a pinned one, so that cloth may be clamped to a solid.
 template <int D>
 class Barrier {
  public:
-  Barrier(const Grid<D>& grid, const DomainMapping<D>& mapping, const std::vector<Vec<D>>& start);
+  Barrier(const Grid<D>& grid, const DomainMapping<D>& mapping, const Cloth<D>& cloth);
 
   static constexpr int no_solid = -1;
 
@@ -42,6 +44,7 @@ class Barrier {
   /// point may go before another comes within half of that.
   template <class Visit>
   double for_near(const Vec<D>& x, Visit&& visit) const;
+  void free_clamps(const Cloth<D>& cloth);
   Vec<D> inside(Vec<D> x) const;
   double margin(const Vec<D>& normal) const;
   bool project(Vec<D>& x, int node, int& solid, double& depth) const;
@@ -53,6 +56,7 @@ class Barrier {
   double fastest_ = 0;             ///< bound of the speed of any solid's matter in the box [m/s]
   std::vector<double> kept_;       ///< distance to the nearest surface at last [m]
   std::vector<double> clearance_;  ///< distance to go before a node has to be looked at again [m]
+  std::vector<char> alone_;        ///< nodes left alone
   std::vector<Vec<D>> accepted_;
   std::vector<Contact> contacts_;
 };

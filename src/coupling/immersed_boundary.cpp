@@ -8,80 +8,47 @@ namespace {
 
 constexpr double mobility_floor = 0.02;  // of that of a single cell
 
+template <int D>
+Reflection reflection(const Side<D>& side) {
+  using Kind = typename Side<D>::Kind;
+  switch (side.kind) {
+    case Kind::wall:
+    case Kind::inflow:
+      return Reflection::odd;
+    case Kind::slip:
+      return Reflection::even;
+    case Kind::periodic:
+      return Reflection::none;
+    default:
+      return Reflection::open;
+  }
+}
+
 }  // namespace
 
 template <int D>
 ImmersedBoundary<D>::ImmersedBoundary(const Grid<D>& grid, const Cloth<D>& cloth, Kernel kernel,
-                                      const Reflections& sides, double marker_spacing)
+                                      const std::array<std::array<Side<D>, 2>, D>& sides,
+                                      double marker_spacing)
     : grid_(grid),
+      cloth_(cloth),
       kernel_(kernel),
-      sides_(sides),
       spacing_(marker_spacing * grid.mesh().h.minCoeff()),
       markers_(cloth, spacing_),
       stencils_(static_cast<std::size_t>(markers_.count())),
       unit_(cloth.position.size(), Vec<D>::Ones()) {
   local_.reserve(stencils_.size());
   for (auto& o : ones_) o = grid.make_field();
-}
-
-/// Weights along one axis. Points beyond a side are folded back onto the point they mirror.
-template <int D>
-typename ImmersedBoundary<D>::Line ImmersedBoundary<D>::line(double x, int axis,
-                                                             bool on_faces) const {
-  const auto& mesh = grid_.mesh();
-  const int n = mesh.cells[axis];
-  const double cells = (x - mesh.lower[axis]) / mesh.h[axis] - (on_faces ? 0.0 : 0.5);
-  Line l{static_cast<int>(std::floor(cells)) - 1, kernel_weights(kernel_, cells)};
-  if (mesh.periodic[axis]) {
-    l.start = (l.start % n + n) % n;
-    return l;
-  }
-  if (l.start >= 0 && l.start + kernel_points <= n) return l;
-  Line folded{std::clamp(l.start, 0, n - kernel_points), {}};
-  for (int m = 0; m < kernel_points; ++m) {
-    int i = l.start + m;
-    double w = l.weight[m];
-    const int side = i < 0 ? 0 : 1;
-    const int last = on_faces ? n : n - 1;  // faces 0 and n lie on the sides
-    if (i < 0 || i > last) {
-      i = side == 0 ? (on_faces ? -i : -1 - i) : (on_faces ? 2 * n - i : 2 * n - 1 - i);
-      w *= on_faces || sides_[axis][side] == Reflection::odd ? -1.0 : 1.0;
+  for (int d = 0; d < D; ++d)
+    for (int side = 0; side < 2; ++side) {
+      const auto& s = sides[d][side];
+      sides_[d][side] = grid.mesh().periodic[d] ? Reflection::none : reflection(s);
+      Vec<D> u = Vec<D>::Zero();
+      if (sides_[d][side] == Reflection::odd) u = s.velocity;
+      if (s.kind == Side<D>::Kind::wall) u[d] = 0;
+      side_velocity_[d][side] = u;
+      moving_sides_ = moving_sides_ || u.norm() > 0;
     }
-    const int at = i - folded.start;
-    if (at >= 0 && at < kernel_points) folded.weight[at] += w;
-  }
-  return folded;
-}
-
-template <int D>
-bool ImmersedBoundary<D>::reaches_block(const Stencil& s) const {
-  const auto& block = grid_.block();
-  for (int d = 1; d < D; ++d) {
-    if (grid_.ranks()[d] == 1) continue;
-    bool any = false;
-    for (const Line* l : {&s.face[d], &s.centre[d]})
-      for (int m = 0; m < kernel_points; ++m) {
-        const int n = grid_.mesh().cells[d];
-        const int i = (l->start + m) % n - block.offset[d];
-        any = any || (i >= 0 && i < block.count[d]);
-      }
-    if (!any) return false;
-  }
-  return true;
-}
-
-template <int D>
-void ImmersedBoundary<D>::place(const std::vector<Vec<D>>& X) {
-  local_.clear();
-  for (int m = 0; m < markers_.count(); ++m) {
-    const Vec<D> x = markers_.position(m, X);
-    auto& s = stencils_[static_cast<std::size_t>(m)];
-    for (int d = 0; d < D; ++d) {
-      s.face[d] = line(x[d], d, true);
-      s.centre[d] = line(x[d], d, false);
-    }
-    if (reaches_block(s)) local_.push_back(m);
-  }
 }
 
 /// The grid lines of `l` along an axis other than x that run through this rank.
@@ -179,6 +146,9 @@ void ImmersedBoundary<D>::interpolate(const Components& u, std::vector<Vec<D>>& 
   std::array<const double*, D> field;
   for (int d = 0; d < D; ++d) field[d] = u[d].data();
   gather([&](int c, long p) { return field[c][p]; }, U);
+  for (const auto& [m, given] : given_)
+    for (int c = 0; c < Markers<D>::corners; ++c)
+      U[markers_.nodes(m)[c]] += markers_.share(m)[c] * given;
 }
 
 template <int D>

@@ -8,9 +8,15 @@ namespace {
 /// Markers along one direction of a sheet: the interval each lies in, and its place in it.
 struct Line {
   int refine, nodes;
+  bool closed;
 
-  int count() const { return nodes == 1 ? 1 : (nodes - 1) * refine + 1; }
+  int count() const {
+    if (nodes == 1) return 1;
+    return closed ? nodes * refine : (nodes - 1) * refine + 1;
+  }
+  /// Beyond the last node where the marker lies across the seam.
   int node(int m, int end) const {
+    if (closed) return m / refine + end;
     const int i = std::min(m / refine, std::max(nodes - 2, 0));
     return std::min(i + end, nodes - 1);
   }
@@ -22,6 +28,7 @@ struct Line {
   /// Sum of a node's hat function over its markers.
   double weight(int i) const {
     if (nodes == 1) return 1;
+    if (closed) return refine;
     return i == 0 || i == nodes - 1 ? 0.5 * (refine + 1) : refine;
   }
 };
@@ -34,7 +41,8 @@ Markers<D>::Markers(const Cloth<D>& cloth, double spacing) {
     std::array<Line, 2> line;
     for (int d = 0; d < 2; ++d) {
       const double ds = g.sheet.extent[d] > 1 ? g.sheet.spacing[d] : 0;
-      line[d] = {std::max(1, static_cast<int>(std::ceil(ds / spacing - 1e-9))), g.sheet.extent[d]};
+      line[d] = {std::max(1, static_cast<int>(std::ceil(ds / spacing - 1e-9))), g.sheet.extent[d],
+                 g.sheet.closed[d]};
     }
     for (int p = 0; p < g.pieces; ++p)
       for (int b = 0; b < line[1].count(); ++b)
@@ -42,11 +50,14 @@ Markers<D>::Markers(const Cloth<D>& cloth, double spacing) {
           auto& node = node_.emplace_back();
           auto& shape = shape_.emplace_back();
           auto& share = share_.emplace_back();
+          Vec<D>& shift = shift_.emplace_back(Vec<D>::Zero());
           for (int c = 0; c < corners; ++c) {
             const int er = D == 3 ? c % 2 : 0, es = D == 3 ? c / 2 : c;
             const int i = line[0].node(a, er), j = line[1].node(b, es);
-            node[c] = g.node(p, g.sheet.node(i, j));
+            const Image<D> image = g.sheet.image(i, j);
+            node[c] = g.node(p, image.node);
             shape[c] = line[0].shape(a, er) * line[1].shape(b, es);
+            shift += shape[c] * image.shift;
             share[c] = shape[c] / (line[0].weight(i) * line[1].weight(j));
           }
         }

@@ -1,26 +1,19 @@
 #include "flow/flow.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace washtub {
-namespace {
 
 template <int D>
-std::array<double*, D> pointers(std::array<Field, D>& fields) {
-  std::array<double*, D> p;
-  for (int d = 0; d < D; ++d) p[d] = fields[d].data();
-  return p;
-}
-
-}  // namespace
-
-template <int D>
-Flow<D>::Flow(const Grid<D>& grid, double density, double viscosity,
-              const std::array<std::array<Side<D>, 2>, D>& sides, const Openings<D>& openings)
+Flow<D>::Flow(const Grid<D>& grid, double density, double viscosity, const SidePairs<D>& sides,
+              const Openings<D>& openings)
     : grid_(grid),
       density_(density),
       viscosity_(viscosity),
+      conditions_(sides),
       sides_(grid, sides),
+      passing_(grid, sides),
       openings_(openings),
       multigrid_(grid, density, openings.open),
       pressure_before_(grid.make_field()) {
@@ -39,8 +32,15 @@ Flow<D>::Flow(const Grid<D>& grid, double density, double viscosity,
 }
 
 template <int D>
+std::array<double*, D> Flow<D>::velocities() {
+  std::array<double*, D> u;
+  for (int d = 0; d < D; ++d) u[d] = u_[d].data();
+  return u;
+}
+
+template <int D>
 void Flow<D>::exchange_velocity() {
-  const auto u = pointers<D>(u_);
+  const auto u = velocities();
   grid_.halo().exchange(std::span<double* const>(u));
 }
 
@@ -48,6 +48,19 @@ template <int D>
 void Flow<D>::refresh_ghosts() {
   exchange_velocity();
   for (int c = 0; c < D; ++c) sides_.mirror(c, u_[c].data());
+}
+
+template <int D>
+void Flow<D>::keep_prediction() {
+  for (int d = 0; d < D; ++d) {
+    if (prediction_[d].size() == 0) prediction_[d] = grid_.make_field();
+    std::copy_n(u_[d].data(), u_[d].size(), prediction_[d].data());
+  }
+}
+
+template <int D>
+void Flow<D>::return_to_prediction() {
+  for (int d = 0; d < D; ++d) std::copy_n(prediction_[d].data(), u_[d].size(), u_[d].data());
 }
 
 template <int D>

@@ -1,6 +1,8 @@
 #pragma once
 #include <array>
+#include <functional>
 
+#include "flow/passing_water.hpp"
 #include "flow/pressure/multigrid.hpp"
 #include "flow/sides.hpp"
 #include "grid/grid.hpp"
@@ -22,8 +24,14 @@ class Flow {
  public:
   using Components = std::array<Field, D>;
 
-  Flow(const Grid<D>& grid, double density, double viscosity,
-       const std::array<std::array<Side<D>, 2>, D>& sides, const Openings<D>& openings);
+  /// @throws InputError when water enters through a side and none lets it out.
+  Flow(const Grid<D>& grid, double density, double viscosity, const SidePairs<D>& sides,
+       const Openings<D>& openings);
+
+  /// Initial state: u_d(x) = field(x)[d] on open faces, on outflow and far-field sides and in all
+  /// ghosts; closed faces keep the velocity of their solid, inflow sides take their own in the
+  /// first step. To be called before that step. `field`: position [m] -> velocity [m/s].
+  void set_velocity(const std::function<Vec<D>(const Vec<D>&)>& field);
 
   Components& velocity() { return u_; }
   const Components& velocity() const { return u_; }
@@ -43,8 +51,16 @@ class Flow {
   void openings_changed(int k0, int k1, bool flipped);
 
   /// On return velocity() holds u* = u + dt (convection + viscosity), without pressure and force,
-  /// and u* = u_o on closed faces. The step may change from call to call.
+  /// and u* = u_o on closed faces. The step may change from call to call. Once no face has flipped
+  /// for two steps, unless a force acts, the viscous solve holds the last pressure gradient, so
+  /// that walls keep their velocity with it; on return it is taken out again.
   void predict(double dt);
+
+  /// Keeps u*, to be called between predict() and project().
+  void keep_prediction();
+  /// Brings back the u* that was kept, so that project() can follow again with another force(). It
+  /// then starts from the last pressure.
+  void return_to_prediction();
 
   /// Writes u* + dt/rho (f - grad p) with the force and pressure of the step before into `out`:
   /// what the velocity would become if neither changed. Faces of this rank only.
@@ -65,25 +81,44 @@ class Flow {
   void refresh_ghosts();
 
  private:
-  template <int c>
-  void predict_row(int j, int k, double now, double before);
+  /// Weights of the right-hand side of the viscous solve.
+  struct Weights {
+    double now, before;  ///< of the convection of this step and the one before [s]
+    double push;         ///< dt/rho of the last pressure gradient, or 0 [m^3 s/kg]
+  };
+  /// First guess of the pressure: a p + b p_before; `keep_before`: leave p_before as it is.
+  struct Guess {
+    double last, before;
+    bool keep_before;
+  };
+  std::array<double*, D> velocities();
+  template <int c, bool pushed>
+  void predict_row(int j, int k, const Weights& weights);
+  void predict_rows(int j, int k, const Weights& weights);
+  void take_push_back(int j, int k, double push);
   void relax_row(int c, int j, int k, int colour, double omega);
   void exchange_velocity();
   double add_force_row(int j, int k, double dt);
-  void start_pressure_row(int j, int k, double dt);
+  Guess first_guess() const;
+  void start_pressure_row(int j, int k, double dt, const Guess& guess);
   void correct_row(int j, int k, double dt, Report& report);
 
   const Grid<D>& grid_;
   double density_, viscosity_;
+  SidePairs<D> conditions_;
   Sides<D> sides_;
+  PassingWater<D> passing_;
   Openings<D> openings_;
   Multigrid<D> multigrid_;
   Components u_, f_, rhs_, convection_, target_;
+  Components prediction_;  ///< allocated by the first keep_prediction()
   Field pressure_before_;
   std::array<double, D> diffusion_{};  ///< nu dt / (2 h^2)
   double last_step_ = 0;
   double speed_ = 0;
-  int steps_since_flip_ = 0;
+  int steps_since_flip_ = -1;  ///< the start counts as a flip: its pressure holds an impulse
+  bool forced_ = false;        ///< the last force was not zero everywhere
+  bool projected_ = false;     ///< this step's u* has had a projection already
   std::vector<double> row_buffer_;
   std::array<std::vector<double>, 2> colour_;
 };

@@ -28,11 +28,11 @@ Relaxation relaxation(double coupling) {
 }  // namespace
 
 /// Right-hand side of the viscous solve for component c of one row:
-///   u + dt (now N(u^n) + before N(u^{n-1})) + half of the viscous term,
+///   u + now N(u^n) + before N(u^{n-1}) - push grad p + half of the viscous term,
 /// N = -div(u u) with arithmetic means on the edges of each momentum cell.
 template <int D>
-template <int c>
-void Flow<D>::predict_row(int j, int k, double now, double before) {
+template <int c, bool pushed>
+void Flow<D>::predict_row(int j, int k, const Weights& weights) {
   const auto& block = grid_.block();
   const auto range = multigrid_.live(j, k);
   const int begin = range.begin, end = range.end;
@@ -49,6 +49,9 @@ void Flow<D>::predict_row(int j, int k, double now, double before) {
   double* __restrict__ convection = convection_[c].data() + p;
   double* __restrict__ rhs = rhs_[c].data() + p;
   const double* v = u[c];
+  const double now = weights.now, before = weights.before;
+  const double slope = weights.push / grid_.mesh().h[c];
+  const double* pressure = multigrid_.pressure().data() + p;
   const auto flux = [&](auto axis, int i) {
     constexpr int d = axis;
     const long t = s[d];
@@ -71,8 +74,40 @@ void Flow<D>::predict_row(int j, int k, double now, double before) {
       n += flux(integral_constant<int, D - 1>{}, i);
       diffusion += nu[D - 1] * (v[i + s[D - 1]] - 2 * v[i] + v[i - s[D - 1]]);
     }
-    rhs[i] = v[i] + diffusion - now * n + before * convection[i];
+    double sum = v[i] + diffusion - now * n + before * convection[i];
+    if constexpr (pushed) sum -= slope * (pressure[i] - pressure[i - s[c]]);
+    rhs[i] = sum;
     convection[i] = -n;
+  }
+}
+
+template <int D>
+void Flow<D>::predict_rows(int j, int k, const Weights& weights) {
+  const auto all = [&](auto pushed) {
+    predict_row<0, pushed>(j, k, weights);
+    predict_row<1, pushed>(j, k, weights);
+    if constexpr (D == 3) predict_row<2, pushed>(j, k, weights);
+  };
+  if (weights.push > 0)
+    all(std::true_type());
+  else
+    all(std::false_type());
+}
+
+/// u += push grad p on the open faces of a row.
+template <int D>
+void Flow<D>::take_push_back(int j, int k, double push) {
+  const auto range = multigrid_.live(j, k);
+  const int begin = range.begin, end = range.end;
+  const long r = grid_.block().row(j, k);
+  const double* p = multigrid_.pressure().data() + r;
+  for (int d = 0; d < D; ++d) {
+    double* __restrict__ u = u_[d].data() + r;
+    const float* open = openings_.open[d] + r;
+    const long s = grid_.block().stride[d];
+    const double slope = push / grid_.mesh().h[d];
+#pragma omp simd
+    for (int i = begin; i < end; ++i) u[i] += slope * open[i] * (p[i] - p[i - s]);
   }
 }
 
@@ -123,27 +158,30 @@ void Flow<D>::predict(double dt) {
     coupling += 2 * diffusion_[d];
   }
   const double ratio = last_step_ > 0 ? dt / last_step_ : 0;
-  const double now = dt * (1 + 0.5 * ratio), before = -0.5 * dt * ratio;
+  const double push = steps_since_flip_ >= 1 && !forced_ ? dt / density_ : 0;
+  const Weights weights{dt * (1 + 0.5 * ratio), -0.5 * dt * ratio, push};
   last_step_ = dt;
+  projected_ = false;
   const Relaxation relax = relaxation(coupling);
+  const int sweeps_end = 1 + 2 * relax.sweeps;
+  passing_.advance(velocities(), openings_.open, dt, speed_);
   exchange_velocity();  // solids may have moved since, and with them the faces they close
   const auto stage = [&](int s, int k, int j0, int j1) {
     for (int j = j0; j < j1; ++j) {
       if (s == 0) {
-        predict_row<0>(j, k, now, before);
-        predict_row<1>(j, k, now, before);
-        if constexpr (D == 3) predict_row<2>(j, k, now, before);
+        predict_rows(j, k, weights);
         continue;
       }
+      if (s == sweeps_end) take_push_back(j, k, push);
       for (int c = 0; c < D; ++c) {
-        relax_row(c, j, k, (s - 1) & 1, relax.omega);
+        if (s < sweeps_end) relax_row(c, j, k, (s - 1) & 1, relax.omega);
         sides_.mirror_row(c, u_[c].data(), j, k);
         grid_.halo().wrap_row(u_[c].data() + grid_.block().row(j, k));
       }
     }
   };
   wavefront(
-      grid_.block(), grid_.halo(), 1 + 2 * relax.sweeps, stage,
+      grid_.block(), grid_.halo(), sweeps_end + (push > 0 ? 1 : 0), stage,
       [&](int s) {
         if (s > 0) exchange_velocity();
       },

@@ -36,27 +36,35 @@ double Flow<D>::add_force_row(int j, int k, double dt) {
   const auto range = multigrid_.live(j, k);
   const int begin = range.begin, end = range.end;
   const long r = grid_.block().row(j, k);
-  double fastest = 0;
+  double fastest = 0, strongest = 0;
   for (int d = 0; d < D; ++d) {
     double* u = u_[d].data() + r;
     const double* f = f_[d].data() + r;
     const float* open = openings_.open[d] + r;
-#pragma omp simd reduction(max : fastest)
+#pragma omp simd reduction(max : fastest, strongest)
     for (int i = begin; i < end; ++i) {
+      strongest = std::max(strongest, std::abs(f[i]));
       u[i] += dt / density_ * open[i] * f[i];
       fastest = std::max(fastest, std::abs(u[i]));
     }
     grid_.halo().wrap_row(u);
   }
+  forced_ = forced_ || strongest > 0;
   return fastest;
 }
 
-/// Source -div u / dt of the pressure in a row, and the first guess: extrapolated after three steps
-/// without a flipped face, kept after two, else zero, since a flip changes the pressure by O(1/dt).
+/// Extrapolated after three steps without a flipped face, kept after two, else zero, since a flip
+/// changes the pressure by O(1/dt). Where the step is projected again the pressure is its own.
 template <int D>
-void Flow<D>::start_pressure_row(int j, int k, double dt) {
-  const double again = steps_since_flip_ >= 3 ? 2.0 : steps_since_flip_ == 2 ? 1.0 : 0.0;
-  const double before = steps_since_flip_ >= 3 ? -1.0 : 0.0;
+typename Flow<D>::Guess Flow<D>::first_guess() const {
+  if (projected_) return {1, 0, true};
+  if (steps_since_flip_ >= 3) return {2, -1, false};
+  return {steps_since_flip_ == 2 ? 1.0 : 0.0, 0, false};
+}
+
+/// Source -div u / dt of the pressure in a row, and the first guess.
+template <int D>
+void Flow<D>::start_pressure_row(int j, int k, double dt, const Guess& guess) {
   const auto& block = grid_.block();
   const auto& h = grid_.mesh().h;
   const auto range = multigrid_.live(j, k);
@@ -76,8 +84,8 @@ void Flow<D>::start_pressure_row(int j, int k, double dt) {
     const double on = live[i] > 0 ? 1.0 : 0.0;
     b[i] = -on * divergence;
     const double last = p[i];
-    p[i] = on * (again * last + before * old[i]);
-    old[i] = last;
+    p[i] = on * (guess.last * last + guess.before * old[i]);
+    old[i] = guess.keep_before ? old[i] : last;
   }
 }
 
@@ -118,8 +126,11 @@ template <int D>
 typename Flow<D>::Report Flow<D>::project(double dt, double tolerance, int max_cycles) {
   const auto& block = grid_.block();
   const auto& parallel = grid_.parallel();
-  ++steps_since_flip_;
-  double speed = speed_;
+  if (!projected_) ++steps_since_flip_;
+  const Guess guess = first_guess();
+  forced_ = false;
+  projected_ = true;
+  double speed = std::max(speed_, passing_.fastest_inflow());
   wavefront(
       block, grid_.halo(), 1,
       [&](int, int k, int j0, int j1) {
@@ -127,9 +138,10 @@ typename Flow<D>::Report Flow<D>::project(double dt, double tolerance, int max_c
       },
       [&](int) { exchange_velocity(); },
       [&](int k) {
-        for (int j = 0; j < block.rows(); ++j) start_pressure_row(j, k, dt);
+        for (int j = 0; j < block.rows(); ++j) start_pressure_row(j, k, dt, guess);
       });
 
+  forced_ = parallel.any(forced_);
   speed = std::max(parallel.max(speed), 1e-30);
   const double scale = grid_.mesh().h.maxCoeff() / speed;
   Report report;

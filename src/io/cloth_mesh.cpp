@@ -7,6 +7,10 @@ void append(std::vector<double>& to, std::span<const double> values) {
   to.insert(to.end(), values.begin(), values.end());
 }
 
+int intervals(const ClothPiece& p, int axis) {
+  return p.closed[axis] ? p.extent[axis] : p.extent[axis] - 1;
+}
+
 /// The whole dataset on rank 0, nothing on the others; `width` entries per row, 0: one dimension.
 Slab on_root(bool root, std::size_t rows, std::size_t width) {
   Slab slab{{rows}, {0}, {root ? rows : 0}};
@@ -42,18 +46,18 @@ ClothMesh::ClothMesh(const std::vector<ClothPiece>& all, int dimension) {
 }
 
 void ClothMesh::add_plate(const ClothPiece& p, int first, int number) {
-  const int n = p.extent[0];
-  for (int j = 0; j + 1 < p.extent[1]; ++j)
-    for (int i = 0; i + 1 < n; ++i) {
-      const int a = first + i + n * j;
-      cells.insert(cells.end(), {a, a + 1, a + n + 1, a + n});
+  const auto [nr, ns] = p.extent;
+  for (int j = 0; j < intervals(p, 1); ++j)
+    for (int i = 0; i < intervals(p, 0); ++i) {
+      const int right = (i + 1) % nr, below = first + nr * j, above = first + nr * ((j + 1) % ns);
+      cells.insert(cells.end(), {below + i, below + right, above + right, above + i});
       piece.push_back(number);
     }
 }
 
 void ClothMesh::add_thread(const ClothPiece& p, int first, int number) {
-  for (int i = 0; i + 1 < p.extent[0] * p.extent[1]; ++i) {
-    cells.insert(cells.end(), {first + i, first + i + 1});
+  for (int j = 0; j < intervals(p, 1); ++j) {
+    cells.insert(cells.end(), {first + j, first + (j + 1) % p.extent[1]});
     piece.push_back(number);
   }
 }

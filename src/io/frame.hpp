@@ -24,6 +24,7 @@ struct ClothPiece {
   std::array<int, 2> extent{};                       ///< nodes along r and s; {1, n} for a thread
   std::span<const double> positions;                 ///< `dimension` coordinates per node [m]
   std::span<const double> membrane, bending, total;  ///< stress per node [Pa]
+  std::array<bool, 2> closed{};  ///< whether the last node meets the first one, along r and s
 };
 
 struct SolidAngle {

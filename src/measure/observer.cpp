@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "cloth/thread.hpp"
+
 namespace washtub {
 
 namespace {
@@ -16,6 +18,8 @@ Vec<2> turning_axis(const std::vector<Solid>& solids) {
 
 }  // namespace
 
+bool is_ring(const Sheet<2>& sheet) { return sheet.closed[1] && sheet.period[1].isZero(); }
+
 template <int D>
 Observer<D>::Observer(Simulation<D>& simulation)
     : simulation_(simulation),
@@ -24,6 +28,7 @@ Observer<D>::Observer(Simulation<D>& simulation)
       axis_(turning_axis(simulation.mapping().solids())),
       stress_(static_cast<std::size_t>(simulation.cloth().pieces()), window_),
       scatter_(static_cast<std::size_t>(simulation.cloth().pieces()), window_, axis_) {
+  if (simulation.definition().exact) exact_.emplace(*simulation.definition().exact);
   const auto n = simulation.cloth().position.size();
   for (auto* v : {&membrane_, &bending_, &total_}) v->resize(n);
 }
@@ -39,6 +44,7 @@ void Observer<D>::observe_solids(Sample& sample) {
     solid.pressure = loads.pressure.torque;
     solid.convection = loads.convection.torque;
     solid.torque = loads.total().torque;
+    solid.force.head<D>() = loads.total().force;
     if (solids[s].drive.moving()) {
       const Impulse since = simulation_.take_impulse(s);
       if (since.time > 0) {
@@ -88,12 +94,47 @@ void Observer<D>::observe_cloth(Sample& sample, const Interval& since) {
 }
 
 template <int D>
+void Observer<D>::observe_probes(Sample& sample) const {
+  const auto& cloth = simulation_.cloth();
+  for (const ProbeCase& probe : simulation_.definition().probes) {
+    auto group = cloth.groups.begin();
+    while (probe.piece > group->first_piece + group->pieces) ++group;
+    // In 2-D the thread's nodes are counted along its second direction.
+    const std::array<int, 2> nodes = {D == 3 ? group->sheet.extent[0] : group->sheet.extent[1],
+                                      D == 3 ? group->sheet.extent[1] : 1};
+    std::array<int, 2> node = {probe.node[0], D == 3 ? probe.node[1] : 0};
+    for (std::size_t d = 0; d < 2; ++d)
+      if (node[d] < 0) node[d] += nodes[d];
+    const int i = group->node(probe.piece - 1 - group->first_piece, node[0] + nodes[0] * node[1]);
+    sample.probes.push_back(Vec<3>::Zero());
+    sample.probes.back().template head<D>() = cloth.position[static_cast<std::size_t>(i)];
+  }
+}
+
+template <int D>
+void Observer<D>::observe_rings(Sample& sample) const {
+  if constexpr (D == 2) {
+    const auto& cloth = simulation_.cloth();
+    int rings = 0;
+    for (const auto& g : cloth.groups) {
+      if (!is_ring(g.sheet)) continue;
+      for (int p = 0; p < g.pieces; ++p, ++rings)
+        sample.enclosed_area += std::abs(enclosed_area(cloth.piece(g, p)));
+    }
+    if (rings > 0) sample.enclosed_area /= rings;
+  }
+}
+
+template <int D>
 const Sample& Observer<D>::observe() {
   Sample sample;
   sample.time = simulation_.time();
   const double before = samples_.empty() ? sample.time : samples_.back().time;
   observe_solids(sample);
   if (simulation_.cloth().pieces() > 0) observe_cloth(sample, {before, sample.time});
+  observe_probes(sample);
+  observe_rings(sample);
+  if (exact_) sample.error = exact_->compare(simulation_);
   samples_.push_back(std::move(sample));
   return samples_.back();
 }

@@ -1,7 +1,9 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "cloth/stress.hpp"
+#include "measure/exact.hpp"
 #include "measure/scatter.hpp"
 #include "measure/stress.hpp"
 #include "measure/trajectory.hpp"
@@ -17,6 +19,7 @@ struct SolidSample {
   double friction = 0;    ///< skin friction part, now [N m]
   double pressure = 0;    ///< pressure part, now [N m]
   double convection = 0;  ///< momentum carried into the staircase, now [N m]
+  Vec<3> force = Vec<3>::Zero();  ///< of the water on it, all parts, now [N], per metre in 2-D
 };
 
 /// One row of history: the state at an instant and the means since the one before.
@@ -27,7 +30,13 @@ struct Sample {
   StressParts stress;               ///< mean over the pieces [Pa]
   std::vector<Vec<2>> centres;      ///< (r, z) of each piece [m]
   Vec<2> centre = Vec<2>::Zero();   ///< of all pieces [m]
+  std::vector<Vec<3>> probes;       ///< places of the case's probes [m]
+  double enclosed_area = 0;         ///< mean over the rings [m^2]
+  VelocityError error;              ///< from the exact velocity, where the case gives one
 };
+
+/// Whether a thread is closed without a shift, and so encloses an area.
+bool is_ring(const Sheet<2>& sheet);
 
 /// Watches a simulation: a sample whenever asked, and the statistics of all samples in the window.
 template <int D>
@@ -59,12 +68,15 @@ class Observer {
  private:
   void observe_solids(Sample& s);
   void observe_cloth(Sample& s, const Interval& since);
+  void observe_probes(Sample& s) const;
+  void observe_rings(Sample& s) const;
 
   Simulation<D>& simulation_;
   Interval window_;
   Vec<2> axis_;
   StressStatistics stress_;
   Scatter scatter_;
+  std::optional<ExactSolution<D>> exact_;
   std::vector<Sample> samples_;
   std::vector<NodeStress> node_stress_;
   std::vector<double> membrane_, bending_, total_;

@@ -1,6 +1,5 @@
 #include "washer/build.hpp"
 
-#include "base/error.hpp"
 #include "cloth/plate.hpp"
 #include "cloth/thread.hpp"
 #include "washer/placement.hpp"
@@ -19,33 +18,40 @@ Mesh<D> build_mesh(const Case& whole) {
   return mesh;
 }
 
+namespace {
+
+template <int D>
+typename Side<D>::Kind side_kind(SideKind kind) {
+  using Kind = typename Side<D>::Kind;
+  switch (kind) {
+    case SideKind::slip:
+      return Kind::slip;
+    case SideKind::periodic:
+      return Kind::periodic;
+    case SideKind::inflow:
+      return Kind::inflow;
+    case SideKind::outflow:
+      return Kind::outflow;
+    case SideKind::far_field:
+      return Kind::far_field;
+    case SideKind::no_slip:
+    case SideKind::moving_wall:
+      break;
+  }
+  return Kind::wall;
+}
+
+}  // namespace
+
 template <int D>
 std::array<std::array<Side<D>, 2>, D> build_sides(const Case& whole) {
   std::array<std::array<Side<D>, 2>, D> sides;
-  using Kind = typename Side<D>::Kind;
   for (int d = 0; d < D; ++d)
     for (int s = 0; s < 2; ++s) {
       const auto& side = whole.domain.sides[2 * d + s];
-      sides[d][s].kind = side.kind == SideKind::slip       ? Kind::slip
-                         : side.kind == SideKind::periodic ? Kind::periodic
-                                                           : Kind::wall;
-      if (side.kind == SideKind::moving_wall)
-        sides[d][s].velocity = side.velocity.template head<D>();
+      sides[d][s] = {side_kind<D>(side.kind), side.velocity.template head<D>()};
     }
   return sides;
-}
-
-template <int D>
-typename ImmersedBoundary<D>::Reflections build_reflections(const Case& whole) {
-  typename ImmersedBoundary<D>::Reflections reflections;
-  for (int d = 0; d < D; ++d)
-    for (int s = 0; s < 2; ++s) {
-      const auto kind = whole.domain.sides[2 * d + s].kind;
-      reflections[d][s] = kind == SideKind::periodic ? Reflection::none
-                          : kind == SideKind::slip   ? Reflection::even
-                                                     : Reflection::odd;
-    }
-  return reflections;
 }
 
 std::vector<Solid> build_solids(const Case& whole) {
@@ -59,25 +65,58 @@ double smooth_width(const Case& whole) {
   return whole.domain.mapping_width * whole.domain.size[0] / whole.domain.cells[0];
 }
 
+namespace {
+
+/// Nodes of a piece that do not move.
+std::vector<int> held_nodes(const ClothCase& cloth, std::array<int, 2> nodes) {
+  std::vector<int> held;
+  const auto is_in = [&](int d, int i) {
+    for (int end = 0; end < 2; ++end) {
+      const int from_end = end == 0 ? i : nodes[static_cast<std::size_t>(d)] - 1 - i;
+      if ((is_held(cloth.pinned, d, end) && from_end < 1) ||
+          (is_held(cloth.clamped, d, end) && from_end < 2))
+        return true;
+    }
+    return false;
+  };
+  for (int j = 0; j < nodes[1]; ++j)
+    for (int i = 0; i < nodes[0]; ++i)
+      if (is_in(0, i) || is_in(1, j)) held.push_back(i + nodes[0] * j);
+  return held;
+}
+
+/// The rest state of a group's pieces; closed ones repeat with the length at which they are placed.
+template <int D>
+Sheet<D> build_sheet(const ClothCase& cloth, const Case& whole, const Patch& patch) {
+  const auto nodes = cloth_nodes(cloth, whole);
+  const auto spacing = cloth_spacing(cloth, whole);
+  std::array<Vec<D>, 2> period;
+  for (std::size_t d = 0; d < 2; ++d)
+    period[d] = cloth.closed[d] ? Vec<D>(patch.size[d] * patch.along[d].template head<D>())
+                                : Vec<D>(Vec<D>::Zero());
+  if constexpr (D == 3)
+    return make_plate(nodes, spacing, cloth.material, cloth.closed, period);
+  else
+    return make_thread(nodes[0], spacing[0], cloth.material,
+                       cloth.closed[0] || cloth.arrangement == Arrangement::ring, period[0]);
+}
+
+}  // namespace
+
 template <int D>
 Cloth<D> build_cloth(const Case& whole) {
   Cloth<D> cloth;
+  std::vector<Patch> placed;
   for (const auto& group : whole.cloth) {
     if (group.count == 0) continue;
-    for (const auto& side : whole.domain.sides)
-      if (side.kind == SideKind::moving_wall)
-        throw InputError(
-            "domain.sides: cloth beside a moving wall is not supported; let a solid "
-            "move instead, or take the cloth out");
-    const auto nodes = cloth_nodes(group, whole);
-    const auto where = place_cloth<D>(group, nodes, whole, cloth);
-    std::array<double, 2> spacing{};
-    for (int d = 0; d < 2; ++d)
-      if (nodes[d] > 1) spacing[d] = group.size[d] / (nodes[d] - 1);
-    if constexpr (D == 3)
-      cloth.add(make_plate(nodes, spacing, group.material), where);
-    else
-      cloth.add(make_thread(nodes[0], spacing[0], group.material), where);
+    const auto patches = place_cloth(group, whole, placed);
+    placed.insert(placed.end(), patches.begin(), patches.end());
+    std::vector<Vec<D>> where;
+    for (const Patch& patch : patches)
+      for (const Vec<3>& x : node_places(patch, group, whole))
+        where.push_back(x.template head<D>());
+    cloth.add(build_sheet<D>(group, whole, patches.front()), where,
+              held_nodes(group, cloth_nodes(group, whole)));
   }
   return cloth;
 }
@@ -103,8 +142,6 @@ template Mesh<2> build_mesh<2>(const Case&);
 template Mesh<3> build_mesh<3>(const Case&);
 template std::array<std::array<Side<2>, 2>, 2> build_sides<2>(const Case&);
 template std::array<std::array<Side<3>, 2>, 3> build_sides<3>(const Case&);
-template ImmersedBoundary<2>::Reflections build_reflections<2>(const Case&);
-template ImmersedBoundary<3>::Reflections build_reflections<3>(const Case&);
 template Cloth<2> build_cloth<2>(const Case&);
 template Cloth<3> build_cloth<3>(const Case&);
 

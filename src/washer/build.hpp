@@ -1,7 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "coupling/immersed_boundary.hpp"
+#include "cloth/cloth.hpp"
+#include "flow/flow.hpp"
 #include "solid/solid.hpp"
 #include "washer/case.hpp"
 
@@ -12,8 +13,6 @@ template <int D>
 Mesh<D> build_mesh(const Case& whole);
 template <int D>
 std::array<std::array<Side<D>, 2>, D> build_sides(const Case& whole);
-template <int D>
-typename ImmersedBoundary<D>::Reflections build_reflections(const Case& whole);
 std::vector<Solid> build_solids(const Case& whole);
 /// gamma of Eq. (11) [m]; 0 for the sharp mapping.
 double smooth_width(const Case& whole);

@@ -98,6 +98,12 @@ Table<CaseFile> declare() {
       .list("solid", &CaseFile::solids, solid_table(), [](const CaseFile&) { return SolidSpec(); })
       .then(add_solids)
       .list("cloth", part<&Case::cloth>(), cloth_table(), new_cloth)
+      .list("probe", part<&Case::probes>(), probe_table(),
+            [](const CaseFile&) { return ProbeCase(); })
+      .table(
+          "exact", [](CaseFile& file) -> ExactCase& { return *file.result.exact; }, exact_table())
+      .optional([](const CaseFile& file) { return file.result.exact.has_value(); },
+                [](CaseFile& file) { file.result.exact.emplace(); })
       .table("coupling", part<&Case::coupling>(), coupling_table())
       .table("time", part<&Case::time>(), time_table())
       .table("solver", part<&Case::solver>(), solver_table())

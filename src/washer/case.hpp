@@ -17,14 +17,18 @@ namespace washtub {
 struct FluidCase {
   double density = 1000;   ///< rho_f [kg/m^3]
   double viscosity = 1.0;  ///< dynamic viscosity mu [Pa s]
+  /// Pulls at what cloth weighs more than the water it displaces [m/s^2]; in the water itself it
+  /// only adds to the pressure.
+  Vec<3> gravity = Vec<3>::Zero();
+  std::array<std::string, 3> velocity = {"0", "0", "0"};  ///< at t = 0: formulas of x, y, z, r
 };
 
-enum class SideKind { no_slip, slip, moving_wall, periodic };
+enum class SideKind { no_slip, slip, moving_wall, periodic, inflow, outflow, far_field };
 
 /// Condition on one side of the box.
 struct SideCase {
   SideKind kind = SideKind::no_slip;
-  Vec<3> velocity = Vec<3>::Zero();  ///< of a moving wall, tangential [m/s]
+  Vec<3> velocity = Vec<3>::Zero();  ///< of a moving wall, tangential, or of the inflow [m/s]
 };
 
 enum class Mapping { sharp, smooth };
@@ -46,7 +50,10 @@ struct SolidCase {
   Drive drive = at_rest();
 };
 
-enum class Arrangement { book, random, sheet };
+enum class Arrangement { book, random, sheet, ring };
+
+/// An edge of a sheet: where r or s is least or largest.
+enum class Edge { r_lower, r_upper, s_lower, s_upper };
 
 /// A group of equal pieces of cloth.
 struct ClothCase {
@@ -63,15 +70,39 @@ struct ClothCase {
   double shift = 0;         ///< standard deviation of the random shift [m]
   double tilt = 0;          ///< standard deviation of the random tilt [rad]
   double clearance = 0;     ///< smallest distance to solids, surface and other pieces [m]
-  /// sheet: one flat piece (count is 1) spanned from `origin` along two directions
+  double curvature = 0;     ///< random, sheet: at the start, along r; the rest state is flat [1/m]
+  /// sheet: one piece (count is 1) spanned from `origin` along two directions
   Vec<3> origin = Vec<3>::Zero();  ///< [m]
   std::array<Vec<3>, 2> along = {Vec<3>::UnitX(), Vec<3>::UnitY()};
+  std::array<bool, 2> closed = {false, false};  ///< along r, s: spans a periodic box
+  std::vector<Edge> pinned;                     ///< one row of nodes does not move
+  std::vector<Edge> clamped;  ///< two rows do not move; the clamp acts midway between them
+  /// ring: one closed thread (2-D, count is 1) whose rest length is size[0]
+  Vec<3> centre = Vec<3>::Zero();  ///< [m]
+  double radius = 0;               ///< [m]
+  /// sheet, ring: normal displacement ripple sin(2 pi ripples r/L) (ring: cos, outwards)
+  double ripple = 0;   ///< [m]
+  double ripples = 1;  ///< waves along r
+};
+
+/// A node of cloth whose place is written to the history.
+struct ProbeCase {
+  std::string name;
+  int piece = 1;                     ///< among all pieces, from 1
+  std::array<int, 2> node = {0, 0};  ///< (i, j) along r and s, from 0; below 0 from the end
+};
+
+/// A known solution that the velocity is compared with.
+struct ExactCase {
+  std::array<std::string, 3> velocity = {"0", "0", "0"};  ///< formulas of x, y, z, r, t [m/s]
+  bool relative = false;  ///< errors over the exact speed at each face, Eq. (A.13)
 };
 
 struct CouplingCase {
   Scheme scheme = Scheme::implicit;
   Kernel kernel = Kernel::cosine;
   double marker_spacing = 2;  ///< largest distance between markers, in smallest cell edges
+  double strain_limit = 0.2;  ///< |E| of an edge at which the run stops
 };
 
 struct TimeCase {
@@ -109,6 +140,8 @@ struct Case {
   DomainCase domain;
   std::vector<SolidCase> solids;
   std::vector<ClothCase> cloth;
+  std::vector<ProbeCase> probes;
+  std::optional<ExactCase> exact;
   CouplingCase coupling;
   TimeCase time;
   SolverCase solver;
@@ -117,8 +150,14 @@ struct Case {
   std::string resolved;  ///< the case as TOML with explicit units, defaults filled in
 };
 
-/// Nodes along r and s: as given, or from `spacing` in lateral cells.
+/// Nodes along r and s: as given, or from `spacing` in lateral cells; {n, 1} in 2-D.
 std::array<int, 2> cloth_nodes(const ClothCase& cloth, const Case& whole);
+/// Distances between them at rest [m]: as many as there are intervals make up the size, where a
+/// clamp counts half an interval less and a closed direction one more. 0 where there is one node.
+std::array<double, 2> cloth_spacing(const ClothCase& cloth, const Case& whole);
+/// Intervals along r (0) or s (1) that make up the size: 0.5 less for each clamp.
+double intervals(const ClothCase& cloth, int direction, int nodes);
+bool is_held(const std::vector<Edge>& held, int direction, int end);
 
 /// Reads, completes and validates a case file.
 /// `settings` are "key=value" overrides as given by `--set`.

@@ -22,8 +22,11 @@ Table<CouplingCase> coupling_table() {
   Table<CouplingCase> table("How cloth and water act on each other.");
   table
       .key("scheme", &CouplingCase::scheme,
-           choice<Scheme>({{"implicit", Scheme::implicit}, {"explicit", Scheme::explicit_euler}}),
-           "implicit cloth with entrained mass, or the paper's explicit forward Euler")
+           choice<Scheme>({{"implicit", Scheme::implicit},
+                           {"explicit", Scheme::explicit_euler},
+                           {"broyden", Scheme::broyden}}),
+           "implicit cloth with entrained mass; the paper's forward Euler (3-D); or its iteration "
+           "over cloth and water (2-D), several pressure solves a step")
       .key(
           "kernel", &CouplingCase::kernel,
           choice<Kernel>(
@@ -31,7 +34,9 @@ Table<CouplingCase> coupling_table() {
           "smoothed delta function")
       .key("marker_spacing", &CouplingCase::marker_spacing, number(between(0.25, 1000)),
            "largest distance between the points where cloth meets water, in shortest cell edges; "
-           "1000 leaves only the nodes, as in the paper");
+           "1000 leaves only the nodes, as in the paper")
+      .key("strain_limit", &CouplingCase::strain_limit, number(above(0)),
+           "stretch of an edge between nodes, |E|, at which the run stops");
   return table;
 }
 

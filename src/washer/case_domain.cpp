@@ -10,26 +10,32 @@ Format<SideKind> side_format() {
   return choice<SideKind>({{"no-slip", SideKind::no_slip},
                            {"slip", SideKind::slip},
                            {"periodic", SideKind::periodic},
-                           {"moving-wall", SideKind::moving_wall}});
+                           {"moving-wall", SideKind::moving_wall},
+                           {"inflow", SideKind::inflow},
+                           {"outflow", SideKind::outflow},
+                           {"far-field", SideKind::far_field}});
 }
 
-/// Keys of one side: its kind, and the velocity of a moving wall.
+/// Keys of one side: its kind, and the velocity of a moving wall or of the water that enters.
 void add_side(Table<DomainCase>& table, size_t side) {
   const std::string name = side_names[side];
   auto exists = [side](const DomainCase&, int dimension) { return side < 4 || dimension == 3; };
   auto moves = [=](const DomainCase& domain, int dimension) {
-    return exists(domain, dimension) && domain.sides[side].kind == SideKind::moving_wall;
+    const SideKind kind = domain.sides[side].kind;
+    return exists(domain, dimension) && (kind == SideKind::moving_wall || kind == SideKind::inflow);
   };
   table.key(
       name, [side](DomainCase& domain) -> SideKind& { return domain.sides[side].kind; },
-      side_format(), "condition on that side; periodic sides come in pairs");
+      side_format(),
+      "condition on that side; periodic sides come in pairs; water leaves through outflow "
+      "and passes through far-field, the side of a stream");
   if (side >= 4) table.only("in 3-D", exists);
   table
       .key(
           name + "_velocity",
           [side](DomainCase& domain) -> Vec<3>& { return domain.sides[side].velocity; },
-          vector(measure::speed), "of the wall, along itself")
-      .only("for a moving wall", moves)
+          vector(measure::speed), "of the wall, along itself; or of the water that enters")
+      .only("for a moving wall or an inflow", moves)
       .required();
 }
 
@@ -46,7 +52,11 @@ Table<FluidCase> fluid_table() {
   table.key("density", &FluidCase::density, quantity(measure::density, above(0)), "density, rho")
       .key("viscosity", &FluidCase::viscosity, quantity(measure::viscosity, above(0)),
            "dynamic viscosity, mu; of real water 1e-3 Pa s, far below what the grid resolves")
-      .required();
+      .required()
+      .key("gravity", &FluidCase::gravity, vector(measure::acceleration),
+           "pulls at the excess mass of cloth")
+      .key("velocity", &FluidCase::velocity, formulas(measure::speed, false),
+           "of the water at t = 0");
   return table;
 }
 

@@ -11,8 +11,6 @@
 #include <random>
 
 #include "base/error.hpp"
-#include "solid/mapping.hpp"
-#include "washer/rectangle.hpp"
 
 namespace washtub {
 namespace {
@@ -41,49 +39,41 @@ class Draw {
   std::mt19937_64 engine_;
 };
 
-/// A rectangle about `centre`; `along` are unit vectors.
-Rectangle centred(const Vec<3>& centre, const Vec<3>& along_r, const Vec<3>& along_s,
-                  std::array<double, 2> size) {
-  const Vec<3> r = size[0] * along_r, s = size[1] * along_s;
-  return {centre - 0.5 * (r + s), {r, s}};
-}
-
-/// Piece p of a group that is still flat.
-template <int D>
-Rectangle flat_piece(const Cloth<D>& cloth, const ClothGroup<D>& group, int p) {
-  const auto X = cloth.piece(group, p);
-  const auto at = [&](int i, int j) { return in_space<D>(X[group.sheet.node(i, j)]); };
-  const auto [nr, ns] = group.sheet.extent;
-  return {at(0, 0), {at(nr - 1, 0) - at(0, 0), at(0, ns - 1) - at(0, 0)}};
-}
-
 /// Finds the places of the pieces of one group.
-template <int D>
 class Placer {
  public:
-  Placer(const ClothCase& cloth, const Case& whole, const Cloth<D>& others)
+  Placer(const ClothCase& cloth, const Case& whole, std::span<const Patch> others)
       : cloth_(cloth), whole_(whole), draw_(cloth.seed) {
     for (const SolidCase& s : whole.solids)
       solids_.emplace_back(s.shape, s.centre, s.drive.angle(0), s.drive.speed(0));
     for (const ClothCase& group : whole.cloth) pieces_ += group.count;
-    for (const auto& group : others.groups)
-      for (int p = 0; p < group.pieces; ++p) placed_.push_back(flat_piece(others, group, p));
+    for (const Patch& other : others) placed_.push_back({other, facets(other)});
   }
 
   /// The pieces of the group.
-  std::vector<Rectangle> place() {
-    const auto first = placed_.end() - placed_.begin();
+  std::vector<Patch> place() {
+    const std::size_t first = placed_.size();
     for (int start = 0; start < most_starts; ++start) {
       placed_.resize(first);
-      if (fill()) return {placed_.begin() + first, placed_.end()};
+      if (!fill()) continue;
+      std::vector<Patch> own;
+      for (std::size_t p = first; p < placed_.size(); ++p) own.push_back(placed_[p].patch);
+      return own;
     }
     throw no_place();
   }
 
  private:
-  std::array<double, 2> size() const { return {cloth_.size[0], D == 3 ? cloth_.size[1] : 0.0}; }
+  struct Piece {
+    Patch patch;
+    Facets facets;
+  };
 
-  Rectangle page() {
+  std::array<double, 2> size() const {
+    return {cloth_.size[0], whole_.dimension == 3 ? cloth_.size[1] : 0.0};
+  }
+
+  Patch page() {
     const double angle = 2 * std::numbers::pi * static_cast<double>(placed_.size()) / pieces_;
     const Vec<3> outwards(std::cos(angle), std::sin(angle), 0), upwards = Vec<3>::UnitZ();
     Vec<3> centre = (cloth_.inner_radius + 0.5 * cloth_.size[0]) * outwards;
@@ -92,34 +82,39 @@ class Placer {
     const Vec<3> by = cloth_.tilt * draw_.normals();
     const Vec<3> turn = by[0] * outwards + by[1] * upwards + by[2] * outwards.cross(upwards);
     const Eigen::AngleAxisd tilt(turn.norm(), turn.stableNormalized());
-    return centred(centre, tilt * outwards, tilt * upwards, size());
+    return centred_patch(centre, tilt * outwards, tilt * upwards, size(), 0);
   }
 
-  Rectangle anywhere() {
+  Patch anywhere() {
     Vec<3> centre = Vec<3>::Zero();
-    for (int d = 0; d < D; ++d)
+    for (int d = 0; d < whole_.dimension; ++d)
       centre[d] = whole_.domain.lower[d] + draw_.uniform() * whole_.domain.size[d];
     Vec<3> r = draw_.normals(), s = draw_.normals();
-    if constexpr (D == 2) r[2] = 0;
+    if (whole_.dimension == 2) r[2] = 0;
     r.normalize();
     s = (s - s.dot(r) * r).normalized();
-    return centred(centre, r, s, size());
+    return centred_patch(centre, r, s, size(), cloth_.curvature);
   }
 
   bool fill() {
     for (int p = 0; p < cloth_.count; ++p) {
-      const auto piece = cloth_.arrangement == Arrangement::sheet ? sheet() : free_place();
+      const auto piece = is_single() ? single() : free_place();
       if (!piece) return false;
       placed_.push_back(*piece);
     }
     return true;
   }
 
-  std::optional<Rectangle> free_place() {
+  bool is_single() const {
+    return cloth_.arrangement == Arrangement::sheet || cloth_.arrangement == Arrangement::ring;
+  }
+
+  std::optional<Piece> free_place() {
     hits_.clear();
     for (int k = 0; k < most_draws; ++k) {
-      const Rectangle piece = cloth_.arrangement == Arrangement::book ? page() : anywhere();
-      const std::string what = obstacle(piece, cloth_.clearance, false);
+      Piece piece{cloth_.arrangement == Arrangement::book ? page() : anywhere(), {}};
+      piece.facets = facets(piece.patch);
+      const std::string what = obstacle(piece.facets, piece.facets, cloth_.clearance);
       if (what.empty()) return piece;
       ++hits_[what];
     }
@@ -136,51 +131,65 @@ class Placer {
         std::max_element(hits_.begin(), hits_.end(), less)->first));
   }
 
-  std::optional<Rectangle> sheet() const {
+  std::optional<Piece> single() const {
+    const bool ring = cloth_.arrangement == Arrangement::ring;
+    if (!ring) check_directions();
+    const Patch patch = ring ? ring_patch(cloth_) : sheet_patch(cloth_, whole_);
+    const Facets all = facets(patch);
+    const std::string what = obstacle(all, ring ? all : free_part(patch), 0);
+    if (!what.empty())
+      throw InputError(fmt::format(
+          "piece {}: the {} touches {}; try another cloth.{}", placed_.size() + 1,
+          ring ? "ring" : "sheet", what,
+          ring ? "centre or a smaller cloth.radius" : "origin or a smaller cloth.size"));
+    return Piece{patch, all};
+  }
+
+  void check_directions() const {
     const auto& [r, s] = cloth_.along;
-    const bool skew = D == 3 && (std::abs(s.norm() - 1) > 1e-9 || std::abs(r.dot(s)) > 1e-9);
-    if (std::abs(r.norm() - 1) > 1e-9 || skew)
+    const bool skew = std::abs(s.norm() - 1) > 1e-9 || std::abs(r.dot(s)) > 1e-9;
+    if (std::abs(r.norm() - 1) > 1e-9 || (whole_.dimension == 3 && skew))
       throw InputError(
           fmt::format("piece {}: its directions must be of unit length and at right angles",
                       placed_.size() + 1));
-    const auto length = size();
-    const Rectangle piece{cloth_.origin, {length[0] * r, length[1] * s}};
-    const std::string what = obstacle(piece, 0, true);
-    if (!what.empty())
-      throw InputError(
-          fmt::format("piece {}: the sheet touches {}; try another cloth.origin or a smaller "
-                      "cloth.size",
-                      placed_.size() + 1, what));
-    return piece;
   }
 
-  /// What is nearer than `clearance`; empty if nothing is.
-  std::string obstacle(const Rectangle& piece, double clearance, bool may_wrap) const {
-    for (const Rectangle& other : placed_)
-      if (hits(other, piece, clearance)) return "other pieces";
-    if (std::string side = side_hit(piece, clearance, may_wrap); !side.empty()) return side;
-    const double resolution = fineness * piece.edge[0].norm();
+  /// What lies between the outermost nodes that may move.
+  Facets free_part(const Patch& patch) const {
+    std::array<std::array<double, 2>, 2> range{};
+    for (int d = 0; d + 1 < whole_.dimension; ++d) {
+      const auto lines = node_lines(patch, cloth_, whole_, d);
+      const auto held = [&](int end) {
+        return is_held(cloth_.clamped, d, end) ? 2U : is_held(cloth_.pinned, d, end) ? 1U : 0U;
+      };
+      range[d] = {lines[held(0)], lines[lines.size() - 1 - held(1)]};
+    }
+    return facets(patch, range[0], range[1]);
+  }
+
+  /// What is nearer than `clearance` to a piece, whose part `free` must stay out of solids; empty
+  /// if nothing is.
+  std::string obstacle(const Facets& piece, const Facets& free, double clearance) const {
+    for (const Piece& other : placed_)
+      if (near(other.facets, piece, clearance)) return "other pieces";
+    for (const Rectangle& flat : piece.flat)
+      if (std::string side = side_hit(flat, clearance + piece.slack); !side.empty()) return side;
     for (std::size_t i = 0; i < solids_.size(); ++i)
-      if (!is_clear_of(solids_[i], piece, clearance, resolution))
-        return fmt::format("solid \"{}\"", whole_.solids[i].name);
+      for (const Rectangle& flat : free.flat)
+        if (!is_clear_of(solids_[i], flat, clearance + free.slack, fineness * flat.edge[0].norm()))
+          return fmt::format("solid \"{}\"", whole_.solids[i].name);
     return {};
   }
 
-  static bool hits(const Rectangle& a, const Rectangle& b, double clearance) {
-    if ((a.centre() - b.centre()).norm() > a.reach() + b.reach() + clearance) return false;
-    const double d = distance(a, b);
-    return d < clearance || d == 0;
-  }
-
-  std::string side_hit(const Rectangle& piece, double clearance, bool may_wrap) const {
+  std::string side_hit(const Rectangle& piece, double clearance) const {
     static constexpr const char* names[] = {"the lower x side", "the upper x side",
                                             "the lower y side", "the upper y side",
                                             "the floor",        "the water surface"};
     const DomainCase& box = whole_.domain;
-    for (int d = 0; d < D; ++d)
+    for (int d = 0; d < whole_.dimension; ++d)
       for (int side = 0; side < 2; ++side) {
         const int i = 2 * d + side;
-        if (may_wrap && box.sides[i].kind == SideKind::periodic) continue;
+        if (is_single() && box.sides[i].kind == SideKind::periodic) continue;
         for (const Vec<3>& x : piece.corners()) {
           const double inwards =
               side == 0 ? x[d] - box.lower[d] : box.lower[d] + box.size[d] - x[d];
@@ -194,29 +203,24 @@ class Placer {
   const Case& whole_;
   Draw draw_;
   std::vector<SolidPose> solids_;    ///< at t = 0
-  std::vector<Rectangle> placed_;    ///< of all groups so far
+  std::vector<Piece> placed_;        ///< of all groups so far
   int pieces_ = 0;                   ///< of all groups
   std::map<std::string, int> hits_;  ///< what the last piece met, and how often
 };
 
 }  // namespace
 
-template <int D>
-std::vector<Vec<D>> place_cloth(const ClothCase& cloth, std::array<int, 2> nodes, const Case& whole,
-                                const Cloth<D>& others) {
-  const auto along = [](int i, int n) { return n > 1 ? static_cast<double>(i) / (n - 1) : 0; };
-  Placer<D> placer(cloth, whole, others);
-  std::vector<Vec<D>> where;
-  for (const Rectangle& piece : placer.place())
-    for (int j = 0; j < nodes[1]; ++j)
-      for (int i = 0; i < nodes[0]; ++i)
-        where.push_back(piece.at(along(i, nodes[0]), along(j, nodes[1])).template head<D>());
-  return where;
+std::vector<Patch> place_cloth(const ClothCase& cloth, const Case& whole,
+                               std::span<const Patch> others) {
+  return Placer(cloth, whole, others).place();
 }
 
-template std::vector<Vec<2>> place_cloth(const ClothCase&, std::array<int, 2>, const Case&,
-                                         const Cloth<2>&);
-template std::vector<Vec<3>> place_cloth(const ClothCase&, std::array<int, 2>, const Case&,
-                                         const Cloth<3>&);
+std::vector<Vec<3>> node_places(const Patch& patch, const ClothCase& cloth, const Case& whole) {
+  const auto r = node_lines(patch, cloth, whole, 0), s = node_lines(patch, cloth, whole, 1);
+  std::vector<Vec<3>> where;
+  for (const double y : s)
+    for (const double x : r) where.push_back(patch.at(x, y));
+  return where;
+}
 
 }  // namespace washtub

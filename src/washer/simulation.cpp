@@ -6,13 +6,13 @@
 
 #include "base/error.hpp"
 #include "washer/build.hpp"
+#include "washer/velocity_field.hpp"
 
 namespace washtub {
 namespace {
 
 constexpr double growth = 1.1;            // of the time step from one step to the next
 constexpr double slip_limit = 0.05;       // of the largest speed, above which the step is cut
-constexpr double strain_limit = 0.2;      // |E| of an edge, above which the run stops
 constexpr double divergence_limit = 0.1;  // |div u| h/U, above which the run stops
 
 }  // namespace
@@ -31,16 +31,66 @@ Simulation<D>::Simulation(const Case& whole, const Parallel& parallel)
             {mapping_.open(), mapping_.smooth()}),
       cloth_(build_cloth<D>(whole)),
       impulses_(whole.solids.size()) {
+  start_water();
   courant_rate_ = start_rate();
   if (cloth_.pieces() > 0)
-    coupling_.emplace(flow_, cloth_, mapping_, whole.coupling.kernel, build_reflections<D>(whole),
+    coupling_.emplace(flow_, cloth_, mapping_, whole.coupling.kernel, build_sides<D>(whole),
                       whole.coupling.scheme, whole.coupling.marker_spacing);
+  if (coupling_) coupling_->set_gravity(whole.fluid.gravity.template head<D>());
 }
 
-/// Bound of sum |u| / h from walls and solids that move when the run starts.
+/// The water's velocity at t = 0, and that of the solids on the faces that they close.
+template <int D>
+void Simulation<D>::start_water() {
+  if (case_.fluid.velocity == FluidCase().velocity) return;
+  const VelocityField<D> field(case_.fluid.velocity);
+  flow_.set_velocity([&](const Vec<D>& x) { return field(x); });
+  mapping_.impose(flow_.velocity());
+  flow_.refresh_ghosts();
+  measure_start();
+}
+
+/// Speed and kinetic energy at t = 0.
+template <int D>
+void Simulation<D>::measure_start() {
+  const auto& block = grid_.block();
+  double squares = 0;
+  for (int d = 0; d < D; ++d)
+    for (int k = 0; k < block.planes(); ++k)
+      for (int j = 0; j < block.rows(); ++j)
+        for (long p = block.row(j, k), end = p + block.width(); p < end; ++p) {
+          const double u = flow_.velocity()[d][p];
+          last_.speed = std::max(last_.speed, std::abs(u));
+          squares += mapping_.open()[d][p] * u * u;
+        }
+  last_.speed = grid_.parallel().max(last_.speed);
+  last_.kinetic =
+      0.5 * flow_.density() * grid_.mesh().cell_volume() * grid_.parallel().sum(squares);
+}
+
+/// Longest first step: what pulls at cloth that is stretched, bent or heavy must not carry it, with
+/// two cells of water, further than the CFL number allows.
+template <int D>
+double Simulation<D>::start_step() const {
+  const double h = grid_.mesh().h.minCoeff(), water = 2 * h * case_.fluid.density;
+  double fastest = 0;
+  for (const auto& g : cloth_.groups) {
+    const double excess = g.sheet.material.excess_mass;
+    const Vec<D> weight = excess * case_.fluid.gravity.template head<D>();
+    std::vector<Vec<D>> F(static_cast<std::size_t>(g.sheet.nodes()));
+    for (int p = 0; p < g.pieces; ++p) {
+      g.sheet.force(cloth_.piece(g, p), F);
+      for (std::size_t i = 0; i < F.size(); ++i)
+        fastest = std::max(fastest, (F[i] / g.sheet.area[i] + weight).norm() / (water + excess));
+    }
+  }
+  return fastest > 0 ? std::sqrt(2 * case_.time.cfl * h / fastest) : case_.time.end;
+}
+
+/// Bound of sum |u| / h from the water, sides and solids that move when the run starts.
 template <int D>
 double Simulation<D>::start_rate() const {
-  double speed = 0;
+  double speed = last_.speed;
   for (const auto& side : case_.domain.sides) speed = std::max(speed, side.velocity.norm());
   for (const auto& solid : mapping_.solids())
     speed = std::max(speed, std::abs(solid.drive.speed(0)) * grid_.mesh().size().norm());
@@ -59,7 +109,7 @@ double Simulation<D>::choose_step(double latest) {
   };
   if (courant_rate_ > 0) take(time.cfl / courant_rate_, StepLimit::courant);
   if (slip_factor_ < 1) take(slip_factor_ * dt, StepLimit::slip);
-  if (last_.dt > 0) take(growth * last_.dt, StepLimit::growth);
+  take(last_.dt > 0 ? growth * last_.dt : start_step(), StepLimit::growth);
   const double left = latest - last_.time;
   const double even = left / std::ceil(left / dt - 1e-3);  // equal steps up to the sample
   if (even < 0.999 * dt) last_.limit = StepLimit::sample;
@@ -84,8 +134,12 @@ template <int D>
 void Simulation<D>::move_cloth_and_water(double dt) {
   flow_.predict(dt);                   // Eq. (1) without pressure and cloth
   if (coupling_) coupling_->push(dt);  // cloth solve; f = S F, Eq. (3)
-  const auto flow = flow_.project(dt, case_.solver.divergence, case_.solver.max_cycles);  // Eq. (2)
-  if (coupling_) last_.cloth = coupling_->move(dt);  // dX/dt = U, Eqs. (5), (6)
+  const auto project = [&] {
+    return flow_.project(dt, case_.solver.divergence, case_.solver.max_cycles);
+  };
+  auto flow = project();                                       // Eq. (2)
+  while (coupling_ && coupling_->again(dt)) flow = project();  // with the force of a better X^n+1
+  if (coupling_) last_.cloth = coupling_->move(dt);            // dX/dt = U, Eqs. (5), (6)
 
   last_.pressure = flow.pressure;
   last_.divergence = flow.divergence;
@@ -161,10 +215,11 @@ void Simulation<D>::watch() const {
     throw RunError(where + fmt::format("the pressure solve left |div u| h/U = {:.2g} after {} "
                                        "cycles; try a larger solver.max_cycles",
                                        last_.divergence, last_.pressure.cycles));
-  if (last_.cloth.largest_strain > strain_limit)
+  const double limit = case_.coupling.strain_limit;
+  if (last_.cloth.largest_strain > limit)
     throw RunError(where + fmt::format("the cloth is stretched by {:.0f} %, limit {:.0f} %; try a "
-                                       "smaller time.step or time.cfl",
-                                       100 * last_.cloth.largest_strain, 100 * strain_limit));
+                                       "smaller time.step or time.cfl, or coupling.strain_limit",
+                                       100 * last_.cloth.largest_strain, 100 * limit));
 }
 
 template class Simulation<2>;

@@ -24,7 +24,7 @@ struct Impulse {
 template <int D>
 class Simulation {
  public:
-  /// Places the cloth; everything is at rest.
+  /// Places the cloth at rest, and sets the water's velocity at t = 0.
   /// @throws InputError where the cloth does not fit or the grid does not suit the ranks
   Simulation(const Case& whole, const Parallel& parallel);
 
@@ -57,7 +57,10 @@ class Simulation {
   SurfaceLoads<D> loads(std::size_t solid) const;
 
  private:
+  void start_water();
+  void measure_start();
   double start_rate() const;
+  double start_step() const;
   double choose_step(double latest);
   void move_solids(double dt);
   void move_cloth_and_water(double dt);

@@ -100,7 +100,7 @@ TEST_F(Program, RefusesWhatDoesNotFit) {
 TEST_F(Program, RefusesWrongCommandLines) {
   refuses("check nothing.toml", "nothing.toml: no such file");
   refuses("run " + wash() + " -n 0", "-n 0: allowed: 1 or more ranks");
-  refuses("wash", "unknown command wash; there are run, check, reference");
+  refuses("wash", "unknown command wash; there are run, check, modes, verify, reference");
 }
 
 TEST_F(Program, DoesNotWriteOverTheCaseFile) {

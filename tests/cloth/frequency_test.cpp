@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
+#include <numbers>
 
+#include "base/error.hpp"
+#include "cloth/modes.hpp"
 #include "sheets.hpp"
 
 namespace washtub {
@@ -11,24 +13,12 @@ namespace {
 
 constexpr double side = 0.7, density = 2.5, stiffness = 0.04;  // [m], [kg/m^2], [N m]
 
-/// lambda^2 = omega side^2 sqrt(density/stiffness) of the lowest modes normal to the flat sheet,
-/// with `held` nodes fixed; masses lumped at the nodes.
+/// lambda^2 = omega side^2 sqrt(density/stiffness) of the lowest modes, with `held` nodes fixed.
 template <int D>
 std::vector<double> frequencies(const Sheet<D>& sheet, const std::vector<int>& held) {
-  std::vector<int> free;
-  for (int x = 0; x < sheet.nodes(); ++x)
-    if (std::find(held.begin(), held.end(), x) == held.end()) free.push_back(x);
-  const Eigen::SparseMatrix<double> H = sheet.hessian(testing::flat(sheet), 0);
-  const int n = static_cast<int>(free.size()), normal = D == 2 ? 1 : 2;
-  Eigen::MatrixXd A(n, n);
-  for (int i = 0; i < n; ++i)
-    for (int k = 0; k < n; ++k)
-      A(i, k) = H.coeff(D * free[i] + normal, D * free[k] + normal) /
-                (density * std::sqrt(sheet.area[free[i]] * sheet.area[free[k]]));
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(A, Eigen::EigenvaluesOnly);
-  std::vector<double> out;
-  for (const double value : modes.eigenvalues())
-    out.push_back(std::sqrt(std::max(value, 0.0) * density / stiffness) * side * side);
+  auto out = natural_frequencies(sheet, held, density, 3);
+  const double unit = std::sqrt(stiffness / density) / (side * side);
+  for (double& f : out) f *= 2 * std::numbers::pi / unit;
   return out;
 }
 
@@ -46,9 +36,7 @@ std::vector<double> cantilever_plate(int n) {
 
 std::vector<double> free_plate(int n) {
   const auto sheet = make_plate({n, n}, {side / (n - 1), side / (n - 1)}, isotropic(0.3));
-  auto all = frequencies(sheet, {});
-  all.erase(all.begin(), all.begin() + 3);  // rigid motions
-  return all;
+  return frequencies(sheet, {});
 }
 
 /// M. V. Barton, J. Appl. Mech. 18 (1951) 129.
@@ -83,6 +71,52 @@ TEST(Frequency, CantileverThread) {
   const auto got = frequencies(sheet, {0, 1});
   EXPECT_NEAR(got[0], 3.516, 0.01 * 3.516);
   EXPECT_NEAR(got[1], 22.03, 0.01 * 22.03);
+}
+
+TEST(Frequency, FreeThreadHasNoRigidModesAndNoMoreThanItHas) {
+  const auto sheet = make_thread(6, 0.1, {100, 0, stiffness, 0, 0, 0, 1e-3});
+  EXPECT_EQ(natural_frequencies(sheet, {}, density, 99).size(), 4U);
+  EXPECT_EQ(natural_frequencies(sheet, {2}, density, 99).size(), 4U);  // turns about the pin
+  EXPECT_EQ(natural_frequencies(sheet, {0, 1}, density, 2).size(), 2U);
+}
+
+/// (2 sin(k h/2)/h)^2 of wave number `wave` along n nodes at spacing h.
+double difference(int wave, int n, double h) {
+  return (2 - 2 * std::cos(2 * std::numbers::pi * wave / n)) / (h * h);
+}
+
+TEST(Frequency, WavesOfPeriodicThread) {
+  const auto sheet = testing::periodic_thread();
+  const int n = sheet.nodes();
+  const auto got = natural_frequencies(sheet, {}, density, 99);
+  ASSERT_EQ(got.size(), static_cast<std::size_t>(n - 1));
+  for (int m = 0; m < n - 1; ++m) {
+    const double omega =
+        std::sqrt(sheet.material.bending / density) * difference(m / 2 + 1, n, 0.1);
+    EXPECT_NEAR(2 * std::numbers::pi * got[m], omega, 1e-9 * omega) << "mode " << m;
+  }
+}
+
+TEST(Frequency, WavesOfPlateClosedBothWays) {
+  const auto sheet = testing::periodic_plate(0.3);
+  const Material& m = sheet.material;
+  const auto [nr, ns] = sheet.extent;
+  std::vector<double> exact;
+  for (int p = 0; p < nr; ++p)
+    for (int q = 0; q < ns; ++q) {
+      const double r = difference(p, nr, sheet.spacing[0]), s = difference(q, ns, sheet.spacing[1]);
+      const double square = m.bending * (r * r + 2 * 0.3 * r * s + s * s) + 2 * m.torsion * r * s;
+      if (p + q > 0) exact.push_back(std::sqrt(square / density) / (2 * std::numbers::pi));
+    }
+  std::sort(exact.begin(), exact.end());
+  const auto got = natural_frequencies(sheet, {}, density, 99);
+  ASSERT_EQ(got.size(), exact.size());
+  for (std::size_t i = 0; i < got.size(); ++i) EXPECT_NEAR(got[i], exact[i], 1e-9 * exact[i]);
+}
+
+TEST(Frequency, NeedsAMassAndAFlatSheet) {
+  EXPECT_THROW(natural_frequencies(testing::thread(), {}, 0, 5), InputError);
+  EXPECT_THROW(natural_frequencies(testing::ring(), {}, density, 5), InputError);
 }
 
 }  // namespace

@@ -70,6 +70,13 @@ TEST(ClothSolver, SatisfiesItsEquation) {
   expect_solved(testing::plate(0.3), 0.03, 10, 1e-5);
 }
 
+TEST(ClothSolver, SatisfiesItsEquationOnClosedSheets) {
+  expect_solved(testing::ring(), 0.01, 100, 1e-6);
+  expect_solved(testing::periodic_thread(), 0.01, 100, 1e-6);
+  expect_solved(testing::tube(0.3), 0.02, 10, 1e-5);
+  expect_solved(testing::periodic_plate(0.3), 0.02, 10, 1e-5);
+}
+
 TEST(ClothSolver, SolvesThePapersStiffness) {
   const double ds = 0.15 / 6;
   const auto sheet = make_plate({7, 7}, {ds, ds}, {8e5, 3e2, 1e-5, 1e-5, 0, 0, 2.4e-4});

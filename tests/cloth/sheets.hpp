@@ -1,5 +1,6 @@
 #pragma once
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -14,14 +15,38 @@ inline Sheet<3> plate(double poisson) {
   return make_plate({5, 4}, {0.1, 0.13}, {50, 20, 0.3, 0.2, poisson, 0, 1e-3});
 }
 
-/// The sheet at rest, flat: X = (r, s, 0), or (s, 0) in 2-D.
+/// Closed ones: going on for ever, rolled up to a ring, and to a tube along s.
+inline Sheet<2> periodic_thread() {
+  return make_thread(9, 0.1, {50, 0, 0.3, 0, 0, 0, 1e-3}, true, {0.9, 0});
+}
+inline Sheet<3> periodic_plate(double poisson) {
+  return make_plate({5, 4}, {0.1, 0.13}, {50, 20, 0.3, 0.2, poisson, 0, 1e-3}, {true, true},
+                    {Vec<3>(0.5, 0, 0), Vec<3>(0, 0.52, 0)});
+}
+inline Sheet<2> ring() { return make_thread(9, 0.1, {50, 0, 0.3, 0, 0, 0, 1e-3}, true); }
+inline Sheet<3> tube(double poisson) {
+  return make_plate({5, 7}, {0.1, 0.13}, {50, 20, 0.3, 0.2, poisson, 0, 1e-3}, {false, true});
+}
+
+/// Radius of the circle through n nodes a distance ds apart.
+inline double circle_radius(int n, double ds) { return ds / (2 * std::sin(std::numbers::pi / n)); }
+
+/// The sheet with all edges at their rest length, flat: X = (r, s, 0), or (s, 0) in 2-D; rings and
+/// tubes rolled up about the origin or the x-axis.
 template <int D>
 std::vector<Vec<D>> flat(const Sheet<D>& sheet) {
   std::vector<Vec<D>> X(sheet.nodes(), Vec<D>::Zero());
   for (int j = 0; j < sheet.extent[1]; ++j) {
     for (int i = 0; i < sheet.extent[0]; ++i) {
-      X[sheet.node(i, j)][D - 2] = j * sheet.spacing[1];
-      X[sheet.node(i, j)][0] += D == 3 ? i * sheet.spacing[0] : 0;
+      Vec<D>& x = X[sheet.node(i, j)];
+      x[D - 2] = j * sheet.spacing[1];
+      if (sheet.closed[1] && sheet.period[1].isZero(0)) {
+        const double angle = 2 * std::numbers::pi * j / sheet.extent[1];
+        const double R = circle_radius(sheet.extent[1], sheet.spacing[1]);
+        x[D - 2] = R * std::cos(angle);
+        x[D - 1] = R * std::sin(angle);
+      }
+      x[0] += D == 3 ? i * sheet.spacing[0] : 0;
     }
   }
   return X;

@@ -4,7 +4,10 @@
 
 #include <limits>
 
+#include "coupling/dots.hpp"
+
 using namespace washtub;
+using namespace washtub::testing;
 
 namespace {
 
@@ -31,7 +34,7 @@ TEST(Barrier, LeavesNodesAloneThatKeepTheirDistance) {
   const Room room;
   const std::vector<Vec<2>> start = {
       {0.1, 0.5}, {0.5, 0.9}, {0.5 + 0.2 + 0.51 * h, 0.5}, {-3, 0.1}};
-  Barrier<2> barrier(room.grid, room.mapping, start);
+  Barrier<2> barrier(room.grid, room.mapping, dots(start));
   auto X = start;
   EXPECT_TRUE(barrier.find(X, 0.01).empty());
   const auto report = barrier.accept(X, 0.01);
@@ -43,7 +46,7 @@ TEST(Barrier, LeavesNodesAloneThatKeepTheirDistance) {
 TEST(Barrier, PutsNodesHalfACellBeforeTheSurface) {
   const Room room;
   const std::vector<Vec<2>> start = {{0.5, 0.8}, {0.1, 0.1}, {0.1, 0.9}, {0.3, 0.9}};
-  Barrier<2> barrier(room.grid, room.mapping, start);
+  Barrier<2> barrier(room.grid, room.mapping, dots(start));
   std::vector<Vec<2>> X = {{0.53, 0.66}, {0.15, -0.2}, {0.12, 1.1}, {0.3, 0.85}};
   const auto contacts = barrier.find(X, 0.1);
   ASSERT_EQ(contacts.size(), 3u);
@@ -64,7 +67,7 @@ TEST(Barrier, PutsNodesHalfACellBeforeTheSurface) {
 TEST(Barrier, LetsNodesThatStartNearStayButNotGoDeeper) {
   const Room room;
   const std::vector<Vec<2>> start = {{0.5, 0.2 * h}};
-  Barrier<2> barrier(room.grid, room.mapping, start);
+  Barrier<2> barrier(room.grid, room.mapping, dots(start));
   std::vector<Vec<2>> X = {{0.5, 0.15 * h}};
   barrier.accept(X, 0.01);
   EXPECT_NEAR(X[0][1], 0.2 * h, 1e-12);
@@ -79,7 +82,7 @@ TEST(Barrier, LetsNodesThatStartNearStayButNotGoDeeper) {
 TEST(Barrier, FindsNodesThatComeFromFarInSmallSteps) {
   const Room room;
   std::vector<Vec<2>> X = {{0.05, 0.5}};
-  Barrier<2> barrier(room.grid, room.mapping, X);
+  Barrier<2> barrier(room.grid, room.mapping, dots(X));
   for (int step = 0; step < 100; ++step) {
     X[0][0] += 0.003;
     barrier.accept(X, 0.01);
@@ -95,7 +98,7 @@ TEST(Barrier, MovesNodesOutOfTheWayOfAFin) {
   DomainMapping<2> mapping(grid, {fin}, 0);
   mapping.update(0);
   std::vector<Vec<2>> X = {{0.5, 0.75}};
-  Barrier<2> barrier(grid, mapping, X);
+  Barrier<2> barrier(grid, mapping, dots(X));
   for (int step = 1; step <= 100; ++step) {
     mapping.update(0.01 * step);
     barrier.accept(X, 0.01);

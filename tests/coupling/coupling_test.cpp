@@ -7,9 +7,7 @@
 #include <numbers>
 
 #include "cloth/plate.hpp"
-#include "cloth/thread.hpp"
-#include "coupling/dots.hpp"
-#include "support/water_box.hpp"
+#include "coupling/pool.hpp"
 
 using namespace washtub;
 using namespace washtub::testing;
@@ -18,50 +16,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr Material table_4{8e5, 3e2, 1e-5, 1e-5, 0, 0, 2.4e-4};
-
-/// A periodic box of water with cloth in it.
-template <int D>
-struct Pool {
-  WaterBox<D> water;
-  Cloth<D> cloth;
-  Coupling<D> coupling;
-
-  Pool(const Mesh<D>& mesh, double viscosity, const Cloth<D>& cloth_, Scheme scheme,
-       const Parallel& parallel = Parallel())
-      : water(setup(mesh, viscosity), parallel),
-        cloth(cloth_),
-        coupling(water.flow, cloth, water.mapping, Kernel::cosine, {}, scheme) {}
-
-  static WaterSetup<D> setup(const Mesh<D>& mesh, double viscosity) {
-    WaterSetup<D> s{mesh, {}, 1000, viscosity};
-    for (auto& axis : s.sides)
-      for (auto& side : axis) side.kind = Side<D>::Kind::periodic;
-    return s;
-  }
-  typename Coupling<D>::Report step(double dt, double tolerance = 1e-6) {
-    water.move_solids(dt);
-    water.flow.predict(dt);
-    coupling.push(dt);
-    const auto flow = water.flow.project(dt, tolerance, 60);
-    kinetic = flow.kinetic;
-    return coupling.move(dt);
-  }
-  double elastic() const {
-    double w = 0;
-    for (const auto& g : cloth.groups)
-      for (int p = 0; p < g.pieces; ++p) w += g.sheet.energy(cloth.piece(g, p));
-    return w;
-  }
-  Vec<D> force() const { return total<D>(water.grid, water.flow.force()); }
-  double largest_force() const {
-    double f = 0;
-    for (const auto& e : cloth.elastic) f = std::max(f, e.norm());
-    return f;
-  }
-  double energy() const { return elastic() + kinetic; }
-
-  double kinetic = 0;  ///< of the water after the last step [J]
-};
 
 /// The lateral spacing of the wash at 32 cells, three times finer upwards.
 Mesh<3> wash_like() {
@@ -82,16 +36,6 @@ Cloth<3> tilted_plate(const Material& material, double by = 1) {
   cloth.add(sheet, where);
   return cloth;
 }
-
-Cloth<2> stretched_thread(double by, double excess = 0) {
-  std::vector<Vec<2>> where;
-  for (int i = 0; i < 9; ++i) where.emplace_back(0.5 + 0.05 * by * (i - 4), 0.5 + 0.01 * i);
-  Cloth<2> cloth;
-  cloth.add(make_thread(9, 0.05, {200, 0, 1e-3, 0, 0, excess, 1e-3}), where);
-  return cloth;
-}
-
-Mesh<2> square(int n = 32) { return cubic_mesh<2>({0, 0}, 1, n, true); }
 
 /// A shear flow in the wash-like pool, and what happened in `steps` steps of dt.
 struct Sheared {
@@ -126,9 +70,7 @@ struct FinTank {
                1000,
                1}),
         cloth(thread_above_fin()),
-        coupling(water.flow, cloth, water.mapping, Kernel::cosine,
-                 {{{Reflection::odd, Reflection::odd}, {Reflection::odd, Reflection::odd}}},
-                 scheme) {}
+        coupling(water.flow, cloth, water.mapping, Kernel::cosine, {}, scheme) {}
 
   static Cloth<2> thread_above_fin() {
     std::vector<Vec<2>> where;
@@ -141,7 +83,8 @@ struct FinTank {
     water.move_solids(dt);
     water.flow.predict(dt);
     coupling.push(dt);
-    water.flow.project(dt, 1e-4, 60);
+    do water.flow.project(dt, 1e-4, 60);
+    while (coupling.again(dt));
     return coupling.move(dt);
   }
   /// Largest psi of the fin over the nodes [m].
@@ -155,11 +98,12 @@ struct FinTank {
 
 }  // namespace
 
-class EitherScheme : public ::testing::TestWithParam<Scheme> {};
-INSTANTIATE_TEST_SUITE_P(Coupling, EitherScheme,
-                         ::testing::Values(Scheme::implicit, Scheme::explicit_euler));
+class AnyScheme : public ::testing::TestWithParam<Scheme> {};
+INSTANTIATE_TEST_SUITE_P(Coupling, AnyScheme,
+                         ::testing::Values(Scheme::implicit, Scheme::explicit_euler,
+                                           Scheme::broyden));
 
-TEST_P(EitherScheme, ClothGoesWithAUniformStream) {
+TEST_P(AnyScheme, ClothGoesWithAUniformStream) {
   Pool<3> pool(wash_like(), 1, tilted_plate(table_4), GetParam());
   const Vec<3> U(0.3, -0.2, 0.1);
   pool.water.start_from([&](int d, const Vec<3>&) { return U[d]; });
@@ -170,7 +114,7 @@ TEST_P(EitherScheme, ClothGoesWithAUniformStream) {
   EXPECT_LT(pool.largest_force(), 1e-9);  // K_e times a node spacing is 3e4 N
 }
 
-TEST_P(EitherScheme, RelaxationLosesEnergyAndNoMomentum) {
+TEST_P(AnyScheme, RelaxationLosesEnergyAndNoMomentum) {
   Pool<2> pool(square(), 1, stretched_thread(1.05), GetParam());
   const double dt = GetParam() == Scheme::implicit ? 2e-3 : 2e-4;
   const double start = pool.elastic();
@@ -197,7 +141,7 @@ TEST(Coupling, HeavyClothHandsItsMomentumToTheWater) {
     const auto& area = pool.cloth.groups[0].sheet.area;
     for (std::size_t n = 0; n < area.size(); ++n)
       momentum += excess * area[n] * pool.cloth.velocity[n];
-    EXPECT_LT((momentum - mass * Vec<2>(0.1, 0.3)).norm(), 1e-9 * mass);
+    EXPECT_LT((momentum - mass * Vec<2>(0.1, 0.3)).norm(), 1e-8 * mass);
   }
   EXPECT_LT(pool.cloth.velocity[4].norm(), 0.28);  // it has slowed down
 }
@@ -248,7 +192,7 @@ TEST(Coupling, IsTheSameOnAnyNumberOfRanks) {
     EXPECT_LT((all.cloth.position[i] - one.cloth.position[i]).norm(), 1e-9);
 }
 
-TEST_P(EitherScheme, FinPushesClothBeforeItself) {
+TEST_P(AnyScheme, FinPushesClothBeforeItself) {
   FinTank tank(GetParam());
   const double dt = GetParam() == Scheme::implicit ? 4e-3 : 4e-4;
   const int steps = static_cast<int>(std::lround(0.4 / dt));

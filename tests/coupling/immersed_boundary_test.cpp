@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
+#include "base/error.hpp"
 #include "cloth/plate.hpp"
 #include "coupling/dots.hpp"
 
@@ -28,11 +30,10 @@ Mesh<D> tank() {
 }
 
 template <int D>
-typename ImmersedBoundary<D>::Reflections tank_sides() {
-  typename ImmersedBoundary<D>::Reflections r{};
-  r[1] = {Reflection::odd, Reflection::odd};
-  r[D - 1] = {Reflection::odd, Reflection::even};
-  return r;
+std::array<std::array<Side<D>, 2>, D> tank_sides() {
+  std::array<std::array<Side<D>, 2>, D> sides;
+  sides[D - 1][1].kind = Side<D>::Kind::slip;
+  return sides;
 }
 
 template <int D>
@@ -41,10 +42,11 @@ struct Tank {
   Cloth<D> cloth;
   ImmersedBoundary<D> boundary;
 
-  Tank(const Cloth<D>& cloth_, Kernel kernel, const Parallel& parallel = Parallel())
+  Tank(const Cloth<D>& cloth_, Kernel kernel, const Parallel& parallel = Parallel(),
+       const std::array<std::array<Side<D>, 2>, D>& sides = tank_sides<D>())
       : grid(tank<D>(), parallel, granularity(tank<D>())),
         cloth(cloth_),
-        boundary(grid, cloth, kernel, tank_sides<D>()) {
+        boundary(grid, cloth, kernel, sides) {
     boundary.place(cloth.position);
   }
   std::array<Field, D> spread(const std::vector<Vec<D>>& G) const {
@@ -195,6 +197,81 @@ TEST(ImmersedBoundary, RepeatsWithThePeriodOfTheBox) {
   const auto U = tank.velocity(noise<3>);
   EXPECT_LT((U[1] - U[0]).norm(), 1e-12);
   EXPECT_LT((U[2] - U[0]).norm(), 1e-12);
+}
+
+TEST(ImmersedBoundary, SpreadsAnyNumberOfPeriodsAway) {
+  const Vec<3> x(0.471, 0.1, 0), step(16 * 0.05, 0, 0);
+  const auto f = Tank<3>(dots<3>({x}), Kernel::cosine).spread({Vec<3>(1, 2, 3)});
+  for (const int periods : {3, -2}) {
+    const auto far = Tank<3>(dots<3>({x + periods * step}), Kernel::cosine).spread({{1, 2, 3}});
+    for (int d = 0; d < 3; ++d)
+      for (std::size_t p = 0; p < f[d].size(); ++p) ASSERT_NEAR(far[d][p], f[d][p], 1e-7);
+  }
+}
+
+namespace {
+
+/// Sides that move along themselves or let water in.
+std::array<std::array<Side<2>, 2>, 2> driven_sides() {
+  using Kind = Side<2>::Kind;
+  return {{{Side<2>{Kind::inflow, {0.7, 0.2}}, {Kind::inflow, {-0.4, 1.1}}},
+           {Side<2>{Kind::wall, {0.3, 9}}, {Kind::wall, {1.5, 0}}}}};
+}
+
+Mesh<2> closed_box() { return {{0, 0}, {0.05, 0.05}, {16, 16}, {false, false}}; }
+
+/// The velocity of one node in water with u = flow(axis, x) on all faces but those on upper sides.
+template <class FlowOf>
+Vec<2> velocity_near_driven_sides(const Vec<2>& x, FlowOf&& flow) {
+  const Grid<2> grid(closed_box(), Parallel(), granularity(closed_box()));
+  const auto cloth = dots<2>({x});
+  ImmersedBoundary<2> boundary(grid, cloth, Kernel::peskin4, driven_sides());
+  boundary.place(cloth.position);
+  auto u = make_fields<2>(grid);
+  fill_faces<2>(grid, u, [&](int d, const auto&, const Vec<2>& y) { return flow(d, y); });
+  std::vector<Vec<2>> U(1);
+  boundary.interpolate(u, U);
+  return U[0];
+}
+
+}  // namespace
+
+/// The kernel reproduces linear flow, also where it reaches beyond the side.
+TEST(ImmersedBoundary, KnowsHowSidesMove) {
+  for (const int side : {0, 1})
+    for (const double cells : {0.0, 0.3, 0.5, 1.2}) {
+      const double at = side == 0 ? 0 : 0.8, in = side == 0 ? 0.05 * cells : 0.8 - 0.05 * cells;
+      for (const int axis : {0, 1}) {
+        Vec<2> wall = driven_sides()[axis][side].velocity;
+        if (axis == 1) wall[1] = 0;
+        Vec<2> x(0.41, 0.41);
+        x[axis] = in;
+        const Vec<2> slope(3, -2);
+        const auto flow = [&](int d, const Vec<2>& y) {
+          return wall[d] + slope[d] * (y[axis] - at);
+        };
+        const auto U = velocity_near_driven_sides(x, flow);
+        for (int d = 0; d < 2; ++d) EXPECT_NEAR(U[d], flow(d, x), 1e-13);
+      }
+    }
+}
+
+TEST(ImmersedBoundary, RefusesClothAtAnOpenSide) {
+  const Grid<2> grid(closed_box(), Parallel(), granularity(closed_box()));
+  for (const auto kind : {Side<2>::Kind::outflow, Side<2>::Kind::far_field}) {
+    auto sides = driven_sides();
+    sides[0][1].kind = kind;
+    const auto cloth = dots<2>({{0.1, 0.1}, {0.69, 0.4}});
+    ImmersedBoundary<2> boundary(grid, cloth, Kernel::cosine, sides);
+    EXPECT_NO_THROW(boundary.place(cloth.position));
+    try {
+      boundary.place({{0.1, 0.1}, {0.71, 0.4}});
+      FAIL();
+    } catch (const RunError& error) {
+      const std::string text = error.what();
+      EXPECT_EQ(text.find("piece 2 is less than two cells from the upper x side"), 0u) << text;
+    }
+  }
 }
 
 TEST(ImmersedBoundary, MeetsTheWallsAsTheWaterDoes) {

@@ -31,6 +31,33 @@ Cloth<2> thread() {
   return cloth;
 }
 
+/// A thread and a plate that go on beyond their last nodes, and a ring of four nodes.
+Cloth<2> periodic_thread() {
+  std::vector<Vec<2>> where;
+  for (int i = 0; i < 5; ++i) where.emplace_back(0.1 * i, 0);
+  Cloth<2> cloth;
+  cloth.add(make_thread(5, 0.1, soft, true, {0.5, 0}), where);
+  return cloth;
+}
+
+Cloth<3> periodic_plate() {
+  std::vector<Vec<3>> where;
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 4; ++i) where.emplace_back(0.1 * i, 0.2 * j, 0.7);
+  Cloth<3> cloth;
+  cloth.add(
+      make_plate({4, 3}, {0.1, 0.2}, soft, {true, true}, {Vec<3>(0.4, 0, 0), Vec<3>(0, 0.6, 0)}),
+      where);
+  return cloth;
+}
+
+Cloth<2> ring() {
+  Cloth<2> cloth;
+  cloth.add(make_thread(4, 0.1, soft, true),
+            std::vector<Vec<2>>{{0.1, 0}, {0, 0.1}, {-0.1, 0}, {0, -0.1}});
+  return cloth;
+}
+
 template <int D>
 void expect_shares_of_one(const Cloth<D>& cloth, const Markers<D>& markers) {
   std::vector<double> sum(cloth.position.size(), 0);
@@ -66,6 +93,9 @@ TEST(Markers, ShareThemselvesOut) {
   for (const double spacing : {1.0, 0.1, 0.07, 0.031}) {
     expect_shares_of_one(plates(), Markers<3>(plates(), spacing));
     expect_shares_of_one(thread(), Markers<2>(thread(), spacing));
+    expect_shares_of_one(ring(), Markers<2>(ring(), spacing));
+    expect_shares_of_one(periodic_thread(), Markers<2>(periodic_thread(), spacing));
+    expect_shares_of_one(periodic_plate(), Markers<3>(periodic_plate(), spacing));
   }
 }
 
@@ -93,4 +123,38 @@ TEST(Markers, HaveTheirCentreInTheNodeExceptOnTheBorder) {
       centre[markers.nodes(m)[c]] += markers.share(m)[c] * markers.position(m, cloth.position);
   for (int i = 1; i < 4; ++i) EXPECT_NEAR(centre[i][0], 0.1 * i, 1e-15);
   EXPECT_NEAR(centre[0][0], 0.1 / 6, 1e-15);  // half a weight at half an interval, out of 1.5
+}
+
+TEST(Markers, LieAcrossTheSeamOfARing) {
+  const auto cloth = ring();
+  const Markers<2> markers(cloth, 0.05);  // two to an interval
+  ASSERT_EQ(markers.count(), 8);
+  EXPECT_LT((markers.position(7, cloth.position) - Vec<2>(0.05, -0.05)).norm(), 1e-15);
+}
+
+/// Every node of a sheet without borders is the mean of its markers, seen from where it stands.
+template <int D>
+void expect_centres(const Cloth<D>& cloth, double spacing, int count) {
+  const Markers<D> markers(cloth, spacing);
+  EXPECT_EQ(markers.count(), count);
+  const auto& sheet = cloth.groups[0].sheet;
+  std::vector<Vec<D>> offset(cloth.position.size(), Vec<D>::Zero());
+  for (int m = 0; m < markers.count(); ++m) {
+    const Vec<D> x = markers.position(m, cloth.position);
+    for (int c = 0; c < Markers<D>::corners; ++c) {
+      Vec<D> away = x - cloth.position[markers.nodes(m)[c]];
+      for (int d = 0; d < 2; ++d)
+        if (sheet.closed[d])
+          away -= std::round(away.dot(sheet.period[d]) / sheet.period[d].squaredNorm()) *
+                  sheet.period[d];
+      EXPECT_LT(away.norm(), sheet.spacing[0] + sheet.spacing[1] + 1e-14);
+      offset[markers.nodes(m)[c]] += markers.share(m)[c] * away;
+    }
+  }
+  for (const auto& o : offset) EXPECT_LT(o.norm(), 1e-14);
+}
+
+TEST(Markers, HaveTheirCentreInTheNodeWhereThereIsNoBorder) {
+  expect_centres(periodic_thread(), 0.034, 15);
+  expect_centres(periodic_plate(), 0.09, 8 * 9);
 }

@@ -1,0 +1,27 @@
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "base/expression.hpp"
+#include "base/vec.hpp"
+
+namespace washtub {
+
+/// A velocity given by a formula per axis, of x, y, z, r and t.
+template <int D>
+class VelocityField {
+ public:
+  /// @throws InputError when a formula cannot be read
+  explicit VelocityField(const std::array<std::string, 3>& formulas);
+
+  /// The velocity [m/s] at x [m] and time t [s].
+  /// @throws InputError where it is not finite
+  Vec<D> operator()(const Vec<D>& x, double t = 0) const;
+
+ private:
+  std::array<std::string, 3> texts_;
+  std::vector<Expression> formulas_;
+};
+
+}  // namespace washtub
