@@ -106,11 +106,12 @@ Report make_report(std::vector<CaseRuns>&& cases, const RunPlan& plan) {
   return report;
 }
 
-int exit_code(const Report& report) {
+int exit_code(const Report& report, bool allow_known) {
   const Count n = count(report);
   if (report.interrupted) return interrupted;
   if (n.wrong_input > 0) return 2;
-  return n.miss > 0 || n.failed_runs > 0 ? 1 : 0;
+  const int misses = n.miss + (allow_known ? 0 : n.known_miss);
+  return misses > 0 || n.failed_runs > 0 ? 1 : 0;
 }
 
 }  // namespace
@@ -127,7 +128,7 @@ int command_verify(const VerifyArguments& arguments) {
   replace_file(arguments.directory + "/verification.html", report_page(report));
   fmt::print("{}\n{}\n{}/verification.html\n", terminal_table(report), summary_line(report),
              arguments.directory);
-  return exit_code(report);
+  return exit_code(report, arguments.allow_known);
 }
 
 }  // namespace washtub

@@ -32,10 +32,11 @@ struct VerifyArguments {
   std::vector<std::string> names;  ///< of cases; empty = all
   VerifyLevel level = VerifyLevel::quick;
   std::string directory = "out/verification";
-  std::string cases;        ///< folder of the cases; "" = the program's own
-  std::optional<int> jobs;  ///< runs at once; as many as there are cores where not given
-  bool list = false;        ///< only name the cases
-  bool force = false;       ///< finished runs are done again
+  std::string cases;         ///< folder of the cases; "" = the program's own
+  std::optional<int> jobs;   ///< runs at once; as many as there are cores where not given
+  bool list = false;         ///< only name the cases
+  bool force = false;        ///< finished runs are done again
+  bool allow_known = false;  ///< known misses leave the exit code alone
 };
 
 /// Every command returns the exit code.

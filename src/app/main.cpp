@@ -61,6 +61,8 @@ void add_verify(CLI::App& app, VerifyArguments& arguments) {
       ->type_name("JOBS")
       ->check(CLI::PositiveNumber);
   command.add_flag("--force", arguments.force, "repeat finished runs");
+  command.add_flag("--allow-known", arguments.allow_known,
+                   "exit 0 where nothing but known misses is wrong");
 }
 
 /// @throws InputError where a word stands in the place of the command and is none.

@@ -141,7 +141,7 @@ void Flow<D>::relax_row(int c, int j, int k, int colour, double omega) {
 #pragma omp simd
     for (int i = begin; i < end; ++i)
       fresh[i] = x[i] + on[i] * (open[i] * weight * momentum(i) +
-                                 (1 - open[i]) * omega * (target[i] - x[i]));
+                                 (open[i] > 0 ? 1 - open[i] : 0) * omega * (target[i] - x[i]));
   } else {
 #pragma omp simd
     for (int i = begin; i < end; ++i) fresh[i] = x[i] + on[i] * weight * open[i] * momentum(i);

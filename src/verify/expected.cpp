@@ -114,6 +114,8 @@ Table<Quantity> quantity_table() {
   table.only("with `value`", valued);
   add_number(table, "at_least", &Quantity::at_least, any(), "bound, in place of `value`");
   add_number(table, "at_most", &Quantity::at_most, any(), "bound, in place of `value`");
+  add_number(table, "known_miss", &Quantity::known_miss, any(),
+             "what is measured where it is known to miss and the README says why");
   table.key("decides", &Quantity::decides, boolean(), "false: shown, but never a miss")
       .key("source", &Quantity::source, text(), "where value and tolerance come from")
       .required();

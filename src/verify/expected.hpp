@@ -39,6 +39,7 @@ struct Quantity : Measured {
   double refinement = 2, exact = 0;
   double value = std::nan(""), tolerance = std::nan(""), tolerance_percent = std::nan("");
   double at_least = std::nan(""), at_most = std::nan("");
+  double known_miss = std::nan("");  ///< what is measured where it is known to miss
   bool decides = true;
 
   bool is_order() const { return !runs.empty(); }

@@ -86,6 +86,8 @@ std::string name(Verdict verdict) {
       return "pass";
     case Verdict::miss:
       return "MISS";
+    case Verdict::known_miss:
+      return "MISS, known";
     case Verdict::informative:
       return "informative";
     case Verdict::not_run:
@@ -112,6 +114,8 @@ Judgement judge(const Quantity& quantity, double measured) {
   if (!std::isnan(quantity.at_least)) good = result.deviation >= 0;
   if (!std::isnan(quantity.at_most)) good = result.deviation <= 0;
   result.verdict = good ? Verdict::pass : Verdict::miss;
+  const double known = std::abs(quantity.known_miss - reference(quantity));
+  if (!good && std::abs(result.deviation) <= 1.1 * known) result.verdict = Verdict::known_miss;
   if (!quantity.decides) result.verdict = Verdict::informative;
   if (std::isnan(measured)) result.note = "no number";
   return result;

@@ -9,6 +9,7 @@ namespace washtub {
 enum class Verdict {
   pass,
   miss,
+  known_miss,   ///< a miss that is known, and no more than a tenth worse than known
   informative,  ///< the quantity does not decide
   not_run
 };

@@ -39,6 +39,7 @@ const char* css_class(Verdict verdict) {
     case Verdict::pass:
       return "pass";
     case Verdict::miss:
+    case Verdict::known_miss:
       return "miss";
     case Verdict::informative:
       return "informative";
@@ -92,14 +93,15 @@ std::string figures(const CaseReport& c) {
 
 /// One line per case: its worst verdict.
 std::string contents(const Report& report) {
-  std::string html = "<table><tr><th>case<th>pass<th>miss<th>informative<th>not run</tr>\n";
+  std::string html =
+      "<table><tr><th>case<th>pass<th>miss<th>known miss<th>informative<th>not run</tr>\n";
   for (const CaseReport& c : report.cases) {
-    std::array<int, 4> n{};
+    std::array<int, 5> n{};
     for (const Judgement& j : c.judgements) ++n[static_cast<std::size_t>(j.verdict)];
-    html +=
-        fmt::format("<tr><td><a href=\"#{0}\">{1}</a><td>{2}<td class={6}>{3}<td>{4}<td>{5}</tr>\n",
-                    c.made.expected.name, escaped(c.made.expected.title), n[0], n[1], n[2], n[3],
-                    n[1] > 0 ? "miss" : "pass");
+    html += fmt::format(
+        "<tr><td><a href=\"#{0}\">{1}</a><td>{2}<td class={7}>{3}<td>{4}<td>{5}<td>{6}</tr>\n",
+        c.made.expected.name, escaped(c.made.expected.title), n[0], n[1], n[2], n[3], n[4],
+        n[1] > 0 ? "miss" : "pass");
   }
   return html + "</table>\n";
 }

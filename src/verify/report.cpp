@@ -85,7 +85,9 @@ Json quantity_json(const CaseReport& c, std::size_t i) {
   json["tolerance"] = number(tolerance(q));
   json["deviation"] = number(j.deviation);
   json["decides"] = q.decides;
-  json["verdict"] = j.verdict == Verdict::miss ? "miss" : name(j.verdict);
+  json["verdict"] = j.verdict == Verdict::miss         ? "miss"
+                    : j.verdict == Verdict::known_miss ? "known miss"
+                                                       : name(j.verdict);
   json["source"] = q.source;
   if (!j.note.empty()) json["note"] = j.note;
   return json;
@@ -113,6 +115,7 @@ Count count(const Report& report) {
       const Verdict v = c.judgements[i].verdict;
       ++(v == Verdict::pass          ? n.pass
          : v == Verdict::miss        ? n.miss
+         : v == Verdict::known_miss  ? n.known_miss
          : v == Verdict::informative ? n.informative
                                      : n.not_run);
       n.wrong_input += c.judgements[i].wrong_input;
@@ -134,7 +137,8 @@ Row row(const CaseReport& c, std::size_t i) {
 
 std::string summary_line(const Report& report) {
   const Count n = count(report);
-  std::string text = fmt::format("{} pass, {} miss, {} informative", n.pass, n.miss, n.informative);
+  std::string text = fmt::format("{} pass, {} miss, {} known misses, {} informative", n.pass,
+                                 n.miss, n.known_miss, n.informative);
   if (n.not_run > 0) text += fmt::format(", {} not run", n.not_run);
   if (n.failed_runs > 0) text += fmt::format(", {} failed runs", n.failed_runs);
   text += fmt::format("; {:.0f} s of computing", n.wall);
@@ -162,6 +166,7 @@ Json report_json(const Report& report) {
                {"interrupted", report.interrupted},
                {"pass", n.pass},
                {"miss", n.miss},
+               {"known miss", n.known_miss},
                {"informative", n.informative},
                {"not run", n.not_run},
                {"failed runs", n.failed_runs},

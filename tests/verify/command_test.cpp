@@ -110,7 +110,7 @@ class Verify : public ::testing::Test {
 TEST_F(Verify, WritesTablePageAndNumbers) {
   const Outcome outcome = run("");
   EXPECT_EQ(outcome.code, 0) << outcome.text;
-  EXPECT_THAT(outcome.text, HasSubstr("1 pass, 0 miss, 1 informative"));
+  EXPECT_THAT(outcome.text, HasSubstr("1 pass, 0 miss, 0 known misses, 1 informative"));
   const auto json = report();
   EXPECT_EQ(json["cases"][0]["runs"][0]["state"], "done");
   EXPECT_EQ(json["cases"][0]["runs"][1]["state"], "not run");
@@ -142,6 +142,14 @@ TEST_F(Verify, AFailedRunShowsItsErrorAndIsAMiss) {
   const Outcome outcome = run("");
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.text, HasSubstr("run one failed: --set fluid.viscosity = 1: expected"));
+}
+
+TEST_F(Verify, TakesAKnownMissOnlyWhereAsked) {
+  expect("value = 1.0", "value = 2.0\nknown_miss = 1.0");
+  const Outcome strict = run("");
+  EXPECT_EQ(strict.code, 1);
+  EXPECT_THAT(strict.text, HasSubstr("MISS, known"));
+  EXPECT_EQ(run("--allow-known").code, 0);
 }
 
 TEST_F(Verify, WrongColumnsAreWrongInputButTheReportIsWritten) {

@@ -46,6 +46,15 @@ TEST(Judge, Bounds) {
 TEST(Judge, NoNumberIsAMiss) {
   EXPECT_EQ(judge(valued(2, 1e9), std::nan("")).verdict, Verdict::miss);
 }
+TEST(Judge, AKnownMissIsNoWorseThanKnown) {
+  Quantity q = valued(2, 0.1);
+  q.known_miss = 2.5;
+  EXPECT_EQ(judge(q, 2.54).verdict, Verdict::known_miss);
+  EXPECT_EQ(judge(q, 2.3).verdict, Verdict::known_miss);
+  EXPECT_EQ(judge(q, 2.56).verdict, Verdict::miss);
+  EXPECT_EQ(judge(q, 2.05).verdict, Verdict::pass);
+  EXPECT_EQ(judge(valued(2, 0.1), 2.5).verdict, Verdict::miss);
+}
 TEST(Judge, InformativeNeverDecides) {
   Quantity q = valued(2, 0.1);
   q.decides = false;
