@@ -48,8 +48,13 @@ CellBox<D> sweep(const Grid<D>& grid, const Solid& solid, double margin) {
 }  // namespace
 
 template <int D>
-DomainMapping<D>::DomainMapping(const Grid<D>& grid, std::vector<Solid> solids, double gamma)
-    : grid_(grid), solids_(std::move(solids)), gamma_(gamma) {
+DomainMapping<D>::DomainMapping(const Grid<D>& grid, std::vector<Solid> solids, double gamma,
+                                double shift)
+    : grid_(grid),
+      solids_(std::move(solids)),
+      gamma_(gamma),
+      shift_(shift),
+      reach_outside_(gamma > 0 ? gamma : shift * grid.mesh().h.sum()) {
   if (solids_.size() >= nobody) throw InputError("too many solids: at most 254");
   const auto n = static_cast<std::size_t>(grid.block().size);
   for (int d = 0; d < D; ++d) {
@@ -61,7 +66,7 @@ DomainMapping<D>::DomainMapping(const Grid<D>& grid, std::vector<Solid> solids, 
   whole.upper = grid.block().count;
   moving_planes_ = {grid.block().planes(), 0};
   for (const auto& solid : solids_) {
-    reach_.push_back(solid.drive.moving() ? sweep(grid, solid, gamma) : whole);
+    reach_.push_back(solid.drive.moving() ? sweep(grid, solid, reach_outside_) : whole);
     if (!solid.drive.moving() || reach_.back().empty()) continue;
     moving_planes_[0] = std::min(moving_planes_[0], reach_.back().lower[D - 1]);
     moving_planes_[1] = std::max(moving_planes_[1], reach_.back().upper[D - 1]);
@@ -93,6 +98,17 @@ float DomainMapping<D>::open_fraction(double psi) const {
   return open < almost_closed ? 0.0F : static_cast<float>(open);
 }
 
+/// What the sharp mapping adds to psi, where it can decide.
+template <int D>
+double DomainMapping<D>::outset(const SolidPose& solid, const Vec<3>& x, double psi) const {
+  if (shift_ == 0 || gamma_ > 0 || psi > 0 || psi < -reach_outside_) return 0;
+  const auto& h = grid_.mesh().h;
+  const Vec<3> n = solid.normal(x, 0.5 * h.minCoeff());
+  double width = 0;
+  for (int d = 0; d < D; ++d) width += std::abs(n[d]) * h[d];
+  return shift_ * width;
+}
+
 /// Looks again at the faces of a row whose guarantee has run out: psi of a turning solid changes at
 /// most by the lever arm times the angle it turns.
 template <int D>
@@ -115,10 +131,11 @@ void DomainMapping<D>::evaluate_row(int d, int j, int k, int i0, int i1, bool al
     double largest = -1e300, turn = 1e30;
     for (std::size_t s = 0; s < solids_.size(); ++s) {
       const double value = poses_[s].psi(x);
-      if (value > largest) largest = value, owner[i] = static_cast<std::uint8_t>(s);
+      const double seen = value + outset(poses_[s], x, value);
+      if (seen > largest) largest = seen, owner[i] = static_cast<std::uint8_t>(s);
       if (!solids_[s].drive.moving()) continue;
       const double lever = std::hypot(x[0] - solids_[s].centre[0], x[1] - solids_[s].centre[1]);
-      turn = std::min(turn, (std::abs(value) - gamma_) / (lever + 1e-30));
+      turn = std::min(turn, (std::abs(value) - reach_outside_) / (lever + 1e-30));
     }
     expiry[i] = static_cast<float>(travel_ + std::clamp(0.999 * turn, 0.0, 1e6));
     const float fresh = open_fraction(largest);

@@ -25,7 +25,9 @@ template <int D>
 class DomainMapping {
  public:
   /// `gamma`: half width of the smooth Heaviside function, Eq. (11) [m]; 0 takes the sharp one.
-  DomainMapping(const Grid<D>& grid, std::vector<Solid> solids, double gamma);
+  /// `shift`: how far outside the surface the sharp one still closes a face, over sum_d |n_d| h_d,
+  /// the width of a cell along the normal.
+  DomainMapping(const Grid<D>& grid, std::vector<Solid> solids, double gamma, double shift = 0);
 
   struct Change {
     bool any = false;      ///< some open fraction differs from before (on any rank)
@@ -65,12 +67,14 @@ class DomainMapping {
   void exchange();
   void close_sides();
   void set_solid_velocity(std::array<Field, D>& u, float open_at_most) const;
+  double outset(const SolidPose& solid, const Vec<3>& x, double psi) const;
   float open_fraction(double psi) const;
 
   const Grid<D>& grid_;
   std::vector<Solid> solids_;
   std::vector<SolidPose> poses_;
-  double gamma_;
+  double gamma_, shift_;
+  double reach_outside_;  ///< of the solids on the faces [m]: gamma, or the largest shift
   double time_ = 0, travel_ = 0;
   Change change_;
   std::array<Storage<float>, D> open_, expiry_;

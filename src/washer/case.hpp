@@ -40,6 +40,7 @@ struct DomainCase {
   std::array<SideCase, 6> sides;     ///< x lower, x upper, y lower, ...
   Mapping mapping = Mapping::sharp;  ///< Heaviside function of Eq. (9)
   double mapping_width = 2;          ///< gamma of Eq. (11), in cells; smooth mapping only
+  double mapping_shift = 0;          ///< see DomainMapping; sharp mapping only
 };
 
 /// A rigid solid: a shape in its body frame, placed at `centre`, turning about z through it.

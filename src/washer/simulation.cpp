@@ -26,7 +26,7 @@ template <int D>
 Simulation<D>::Simulation(const Case& whole, const Parallel& parallel)
     : case_(whole),
       grid_(build_mesh<D>(whole), parallel, granularity(build_mesh<D>(whole))),
-      mapping_(grid_, build_solids(whole), smooth_width(whole)),
+      mapping_(grid_, build_solids(whole), smooth_width(whole), whole.domain.mapping_shift),
       flow_(grid_, whole.fluid.density, whole.fluid.viscosity, build_sides<D>(whole),
             {mapping_.open(), mapping_.smooth()}),
       cloth_(build_cloth<D>(whole)),

@@ -24,17 +24,41 @@ TEST(Mapping, SidesOfTheBoxDoNotTurnWithASolid) {
   for (int i = 0; i < block.width(); ++i) EXPECT_EQ(u[1][block.at({i, 0})], 0);
 }
 
+/// Faces along x that a half space with the outward normal (cos a, sin a) closes when shifted.
+int closed_by_half_space(double angle, double distance, double shift) {
+  const auto mesh = testing::cubic_mesh<2>(Vec<2>::Constant(-0.5), 1, 32);
+  const Grid<2> grid(mesh, Parallel(), granularity(mesh));
+  const Vec<3> normal(std::cos(angle), std::sin(angle), 0);
+  const DomainMapping<2> mapping(
+      grid, {{"wall", half_space(distance * normal, normal), Vec<3>::Zero(), at_rest()}}, 0, shift);
+  int closed = 0;
+  const auto& block = grid.block();
+  for (int k = 0; k < block.planes(); ++k)
+    for (int i = 0; i < block.width(); ++i) closed += mapping.open()[0][block.at({i, k})] == 0;
+  return closed;
+}
+
+/// A shift closes what a wall further out by so many cell widths along its normal would close.
+TEST(Mapping, ShiftMovesTheSurfaceOutByCellWidths) {
+  const double h = 1.0 / 32;
+  for (const double angle : {0.0, 0.4, 0.785, 2.0}) {
+    const double out = 0.3 * h * (std::abs(std::cos(angle)) + std::abs(std::sin(angle)));
+    EXPECT_EQ(closed_by_half_space(angle, 0.101, 0.3), closed_by_half_space(angle, 0.101 + out, 0));
+  }
+  EXPECT_GT(closed_by_half_space(0.4, 0.101, 0.3), closed_by_half_space(0.4, 0.101, 0));
+}
+
 /// Faces that are looked at only when they can have changed are the same as all looked at anew.
-TEST(Mapping, SkippedFacesAreTheSameAsFreshOnes) {
+void expect_followed_as_fresh(double shift) {
   const auto mesh = testing::wash_mesh(24);
   const Grid<3> grid(mesh, Parallel(), granularity(mesh));
-  DomainMapping<3> followed(grid, testing::wash_solids(true), 0);
+  DomainMapping<3> followed(grid, testing::wash_solids(true), 0, shift);
   int flips = 0;
   for (int step = 1; step <= 300; ++step) flips += followed.update(1e-3 * step).flipped;
   EXPECT_GT(flips, 100);
   auto solids = testing::wash_solids(true);
   solids[1].shape = rotate_z(solids[1].shape, solids[1].drive.angle(0.3));
-  const DomainMapping<3> fresh(grid, solids, 0);
+  const DomainMapping<3> fresh(grid, solids, 0, shift);
   int differ = 0;
   for (int d = 0; d < 3; ++d)
     for (int k = 0; k < grid.block().planes(); ++k)
@@ -45,6 +69,8 @@ TEST(Mapping, SkippedFacesAreTheSameAsFreshOnes) {
         }
   EXPECT_EQ(differ, 0);
 }
+TEST(Mapping, SkippedFacesAreTheSameAsFreshOnes) { expect_followed_as_fresh(0); }
+TEST(Mapping, SkippedFacesAreTheSameAsFreshOnesWhenShifted) { expect_followed_as_fresh(0.2); }
 
 }  // namespace
 }  // namespace washtub
