@@ -27,12 +27,12 @@ std::string reference_text(const Quantity& q) {
   return fmt::format("{:.4g} ± {}", q.value, with_unit(q.tolerance, q.unit));
 }
 
-/// In percent where the reference allows it and the tolerance is not given as a number.
+/// In percent of a value, unless its tolerance is a number.
 std::string deviation_text(const Quantity& q, const Judgement& j) {
   if (std::isnan(j.deviation)) return "-";
   const double scale = std::abs(reference(q));
-  const bool percent = scale > 0 && std::isnan(q.tolerance);
-  return percent ? fmt::format("{:+.2g} %", 100 * j.deviation / scale)
+  const bool percent = !std::isnan(q.value) && scale > 0 && std::isnan(q.tolerance);
+  return percent ? fmt::format("{:+.3g} %", 100 * j.deviation / scale)
                  : fmt::format("{:+.2g}", j.deviation);
 }
 

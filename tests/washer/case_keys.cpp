@@ -191,3 +191,10 @@ TEST(CouplingKeys, Schemes) {
   EXPECT_EQ(scheme("implicit"), Scheme::implicit);
   expect_error(square + "[coupling]\nscheme = \"broydon\"\n", "nearest: \"broyden\"");
 }
+
+TEST(TimeKeys, SamplesAreNotCloserThanFixedSteps) {
+  std::string text = square;
+  text.replace(text.find("end = \"1 s\""), 11, "end = \"1 s\"\nstep = \"0.2 s\"\nfixed = true");
+  expect_error(text + "[output]\nevery = \"0.1 s\"\n",
+               "output.every = \"0.1 s\": allowed: at least the fixed time.step, \"0.2 s\"");
+}
