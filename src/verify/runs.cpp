@@ -149,14 +149,28 @@ std::string program_identity(const std::string& program, const std::string& vers
   return version + ' ' + hash(content(program));
 }
 
+namespace {
+
+/// The most modes that a quantity or a figure asks of a run.
+int modes_of(const Expected& expected, const std::string& run) {
+  int most = 1;
+  const auto ask = [&](const Measured& what, const std::vector<std::string>& runs) {
+    if (std::find(runs.begin(), runs.end(), run) != runs.end()) most = std::max(most, what.mode);
+  };
+  for (const Quantity& q : expected.quantities) ask(q, q.used_runs());
+  for (const Figure& figure : expected.figures)
+    for (const Curve& curve : figure.curves) ask(curve, curve.runs);
+  return most;
+}
+
+}  // namespace
+
 std::vector<std::string> run_words(const Expected& expected, const RunSpec& run,
                                    const std::string& directory) {
   std::vector<std::string> words = {run.command, case_path(expected, run)};
   if (run.command == "modes") {
-    int count = 1;
-    for (const Quantity& q : expected.quantities)
-      if (q.run == run.name) count = std::max(count, q.mode);
-    words.insert(words.end(), {"--count", std::to_string(count), "-o", directory + "/modes.json"});
+    words.insert(words.end(), {"--count", std::to_string(modes_of(expected, run.name)), "-o",
+                               directory + "/modes.json"});
   } else {
     words.insert(words.end(), {"-o", directory, "-n", "1", "--force"});
   }
