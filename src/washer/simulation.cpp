@@ -109,7 +109,8 @@ double Simulation<D>::choose_step(double latest) {
   };
   if (courant_rate_ > 0) take(time.cfl / courant_rate_, StepLimit::courant);
   if (slip_factor_ < 1) take(slip_factor_ * dt, StepLimit::slip);
-  take(last_.dt > 0 ? growth * last_.dt : start_step(), StepLimit::growth);
+  take(wanted_step_ > 0 ? growth * wanted_step_ : start_step(), StepLimit::growth);
+  wanted_step_ = dt;
   const double left = latest - last_.time;
   const double even = left / std::ceil(left / dt - 1e-3);  // equal steps up to the sample
   if (even < 0.999 * dt) last_.limit = StepLimit::sample;

@@ -77,6 +77,7 @@ class Simulation {
   Step last_;
   double courant_rate_ = 0;  ///< largest sum over axes of |u| / h [1/s]
   double slip_factor_ = 1;
+  double wanted_step_ = 0;  ///< before it was cut to meet the sample [s]
   std::vector<Impulse> impulses_;
 };
 

@@ -93,5 +93,19 @@ TEST(Simulation, FixedStepIsTaken) {
   EXPECT_DOUBLE_EQ(simulation.time(), 2e-4);
 }
 
+/// Samples that cut the step short do not keep it from growing to what the CFL number allows: with
+/// few steps to a sample each cut undoes a growth by a tenth.
+TEST(Simulation, StepGrowsBetweenCloseSamples) {
+  Case whole = read_case("cases/couette/case.toml", {"domain.cells=32", "time.fixed=false"});
+  whole.time.step = 0;
+  whole.time.cfl = 0.3;
+  Simulation<2> simulation(whole, Parallel());
+  constexpr double every = 0.1;
+  for (int sample = 1; sample <= 20; ++sample)
+    while (simulation.time() < sample * every - 1e-9) simulation.step(sample * every);
+  simulation.step(21 * every);
+  EXPECT_GT(simulation.last().courant, 0.2);
+}
+
 }  // namespace
 }  // namespace washtub
