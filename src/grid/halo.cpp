@@ -103,10 +103,12 @@ void Halo<D>::exchange_axis(std::span<T* const> arrays, int axis, int type) cons
 template <int D>
 template <class T>
 void Halo<D>::run(std::span<T* const> arrays, int type) const {
-  if (periodic_x_)
+  if (periodic_x_) {  // ghost rows too: those beyond a side of the box belong to nobody else
+    const int out = D == 3 ? 1 : 0;
     for (T* a : arrays)
-      for (int k = 0; k < block_.planes(); ++k)
-        for (int j = 0; j < block_.rows(); ++j) wrap_row(a + block_.row(j, k));
+      for (int k = -1; k <= block_.planes(); ++k)
+        for (int j = -out; j < block_.rows() + out; ++j) wrap_row(a + block_.row(j, k));
+  }
   for (int axis = 1; axis < D; ++axis) {
     const auto [below, above] = neighbour_[axis];
     if (below == MPI_PROC_NULL && above == MPI_PROC_NULL) continue;

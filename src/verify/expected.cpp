@@ -66,6 +66,7 @@ void add_measured(Table<T>& table) {
       .only("with `column`", with_column)
       .omitted([](const T& q, int) { return q.minus.empty(); })
       .key("take", &T::take, choice<Take>(take_names()), "what is taken of the column")
+      .fallback("must be given in a quantity")
       .only("with `column`", with_column)
       .key("window", &T::window, interval(measure::time, at_least(0)), "between these times")
       .only("with `column`", with_column)

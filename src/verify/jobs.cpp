@@ -39,6 +39,8 @@ struct Child {
   dup2(console, STDOUT_FILENO);
   dup2(console, STDERR_FILENO);
   execvp(words[0], words.data());
+  const char* reason = std::strerror(errno);
+  (void)!write(STDERR_FILENO, reason, std::strlen(reason));
   _exit(127);
 }
 
@@ -74,12 +76,16 @@ class Children {
   }
   /// Takes out those that have ended.
   void collect(const JobEvents& events) {
-    std::erase_if(running_, [&](const Child& child) {
+    for (std::size_t i = 0; i < running_.size();) {
+      const Child child = running_[i];
       int status = 0;
-      if (waitpid(child.process, &status, WNOHANG) <= 0) return false;
+      if (waitpid(child.process, &status, WNOHANG) <= 0) {
+        ++i;
+        continue;
+      }
+      running_.erase(running_.begin() + static_cast<std::ptrdiff_t>(i));
       events.ended(child.job, exit_code(status), now() - child.start);
-      return true;
-    });
+    }
   }
 
  private:

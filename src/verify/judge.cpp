@@ -114,8 +114,10 @@ Judgement judge(const Quantity& quantity, double measured) {
   if (!std::isnan(quantity.at_least)) good = result.deviation >= 0;
   if (!std::isnan(quantity.at_most)) good = result.deviation <= 0;
   result.verdict = good ? Verdict::pass : Verdict::miss;
-  const double known = std::abs(quantity.known_miss - reference(quantity));
-  if (!good && std::abs(result.deviation) <= 1.1 * known) result.verdict = Verdict::known_miss;
+  const double known = quantity.known_miss - reference(quantity);
+  const double part = result.deviation / known;
+  if (!good && part > 0 && part <= 1.1) result.verdict = Verdict::known_miss;
+  if (good && !std::isnan(known)) result.note = "was known to miss, known_miss can go";
   if (!quantity.decides) result.verdict = Verdict::informative;
   if (std::isnan(measured)) result.note = "no number";
   return result;
@@ -125,6 +127,7 @@ double observed_order(const std::vector<double>& values, double refinement, doub
   const bool three = values.size() == 3;
   const double coarse = three ? values[0] - values[1] : values[0] - exact;
   const double fine = three ? values[1] - values[2] : values[1] - exact;
+  if (fine == 0 || (three && coarse * fine < 0)) return std::nan("");
   return std::log(std::abs(coarse / fine)) / std::log(refinement);
 }
 

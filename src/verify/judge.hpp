@@ -9,7 +9,7 @@ namespace washtub {
 enum class Verdict {
   pass,
   miss,
-  known_miss,   ///< a miss that is known, and no more than a tenth worse than known
+  known_miss,   ///< a known miss, to the same side and no more than a tenth worse
   informative,  ///< the quantity does not decide
   not_run
 };
@@ -33,7 +33,8 @@ double reference(const Quantity& quantity);
 /// Largest distance from the value that passes; NaN where none is given.
 double tolerance(const Quantity& quantity);
 
-/// log(e_1/e_2) / log(refinement) of two values about `exact`, or of the differences of three.
+/// log(e_1/e_2) / log(refinement) of two values about `exact`, or of the differences of three; NaN
+/// where the second error vanishes or the differences have two signs.
 double observed_order(const std::vector<double>& values, double refinement, double exact);
 
 /// What a finished run gives for a number. @throws InputError where it does not have it

@@ -67,12 +67,17 @@ Series HistoryFile::series(const std::string& name, const std::array<double, 2>&
   const auto& times = columns_[0];
   const double slack = times.empty() ? 0 : 1e-9 * std::abs(times.back());
   Series result;
+  bool ends_empty = false;
   for (std::size_t i = 0; i < times.size(); ++i) {
-    if (times[i] < window[0] - slack || times[i] > window[1] + slack || std::isnan(values[i]))
-      continue;
+    if (times[i] < window[0] - slack || times[i] > window[1] + slack) continue;
+    ends_empty = std::isnan(values[i]);
+    if (ends_empty) continue;
     result.times.push_back(times[i]);
     result.values.push_back(values[i]);
   }
+  if (ends_empty)
+    throw InputError(
+        fmt::format("{}: column {} has no value at the end of the window", path_, quoted(name)));
   return result;
 }
 

@@ -11,7 +11,7 @@
 namespace washtub {
 namespace {
 
-/// Time mean of the curve's `power` (1 or 2), linear between samples.
+/// Time mean of the samples to the `power` (1 or 2), linear between them.
 double time_mean(std::span<const double> t, std::span<const double> v, int power) {
   if (t.size() == 1) return power == 1 ? v[0] : v[0] * v[0];
   double sum = 0;

@@ -42,8 +42,9 @@ void check_times(const Case& whole, const Node& root) {
     throw error_at_key(root, "output.every", seconds(output.every),
                        fmt::format("allowed: up to {} (time.end)", seconds(time.end)));
   if (time.fixed && output.every < time.step * (1 - 1e-9))
-    throw error_at_key(root, "output.every", seconds(output.every),
-                       fmt::format("allowed: at least the fixed time.step, {}", seconds(time.step)));
+    throw error_at_key(
+        root, "output.every", seconds(output.every),
+        fmt::format("allowed: at least the fixed time.step, {}", seconds(time.step)));
 }
 
 }  // namespace

@@ -73,9 +73,13 @@ Table<DomainCase> domain_table() {
            "how solids act on the water: Heaviside function of Eq. (9)")
       .key("mapping_width", &DomainCase::mapping_width, number(above(0)),
            "half width of the smooth mapping in cells, gamma of Eq. (11)")
+      .only("with `mapping = \"smooth\"`",
+            [](const DomainCase& domain, int) { return domain.mapping == Mapping::smooth; })
       .key("mapping_shift", &DomainCase::mapping_shift, number(between(0, 0.5)),
            "how far outside a solid the sharp mapping still closes faces, in cell widths along the "
            "normal; 0 as in the paper, 0.17 where surfaces are curved or oblique")
+      .only("with `mapping = \"sharp\"`",
+            [](const DomainCase& domain, int) { return domain.mapping == Mapping::sharp; })
       .table(
           "sides", [](DomainCase& domain) -> DomainCase& { return domain; }, sides_table());
   return table;

@@ -133,7 +133,6 @@ class Placer {
 
   std::optional<Piece> single() const {
     const bool ring = cloth_.arrangement == Arrangement::ring;
-    if (!ring) check_directions();
     const Patch patch = ring ? ring_patch(cloth_) : sheet_patch(cloth_, whole_);
     const Facets all = facets(patch);
     const std::string what = obstacle(all, ring ? all : free_part(patch), 0);
@@ -143,15 +142,6 @@ class Placer {
           ring ? "ring" : "sheet", what,
           ring ? "centre or a smaller cloth.radius" : "origin or a smaller cloth.size"));
     return Piece{patch, all};
-  }
-
-  void check_directions() const {
-    const auto& [r, s] = cloth_.along;
-    const bool skew = std::abs(s.norm() - 1) > 1e-9 || std::abs(r.dot(s)) > 1e-9;
-    if (std::abs(r.norm() - 1) > 1e-9 || (whole_.dimension == 3 && skew))
-      throw InputError(
-          fmt::format("piece {}: its directions must be of unit length and at right angles",
-                      placed_.size() + 1));
   }
 
   /// What lies between the outermost nodes that may move.
@@ -167,16 +157,17 @@ class Placer {
     return facets(patch, range[0], range[1]);
   }
 
-  /// What is nearer than `clearance` to a piece, whose part `free` must stay out of solids; empty
-  /// if nothing is.
+  /// What is nearer than `clearance` to a piece, whose part `free` must stay out of solids at
+  /// rest, and all of it out of moving ones; empty if nothing is.
   std::string obstacle(const Facets& piece, const Facets& free, double clearance) const {
     for (const Piece& other : placed_)
       if (near(other.facets, piece, clearance)) return "other pieces";
     for (const Rectangle& flat : piece.flat)
       if (std::string side = side_hit(flat, clearance + piece.slack); !side.empty()) return side;
     for (std::size_t i = 0; i < solids_.size(); ++i)
-      for (const Rectangle& flat : free.flat)
-        if (!is_clear_of(solids_[i], flat, clearance + free.slack, fineness * flat.edge[0].norm()))
+      for (const Facets& part = whole_.solids[i].drive.moving() ? piece : free;
+           const Rectangle& flat : part.flat)
+        if (!is_clear_of(solids_[i], flat, clearance + part.slack, fineness * flat.edge[0].norm()))
           return fmt::format("solid \"{}\"", whole_.solids[i].name);
     return {};
   }

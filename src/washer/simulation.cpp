@@ -103,7 +103,7 @@ double Simulation<D>::choose_step(double latest) {
   const auto& time = case_.time;
   last_.limit = StepLimit::given;
   if (time.fixed) return time.step;
-  double dt = time.step > 0 ? time.step : latest - last_.time;
+  double dt = time.step > 0 ? time.step : time.end;
   const auto take = [&](double bound, StepLimit limit) {
     if (bound < dt) dt = bound, last_.limit = limit;
   };

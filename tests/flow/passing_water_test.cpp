@@ -69,6 +69,27 @@ TEST(PassingWater, SmoothMappingDoesNotHoldTheStream) {
       expect_uniform<2>(along, entry, Kind<2>::far_field, 0.1);
 }
 
+/// An oblique stream through a box that is periodic across.
+template <int D>
+void expect_uniform_through_periods(int along, int entry) {
+  Vec<D> stream = Vec<D>::Constant(0.5);
+  stream[along] = entry == 0 ? 1.0 : -1.0;
+  auto setup = channel<D>(along, entry, stream, Kind<D>::periodic, 16);
+  for (int d = 0; d < D; ++d) setup.mesh.periodic[d] = d != along;
+  WaterBox<D> box(setup);
+  box.flow.set_velocity([&](const Vec<D>&) { return stream; });
+  for (int s = 0; s < 10; ++s) box.step(0.01, 1e-12);
+  EXPECT_LE(box.error([&](int d, const Vec<D>&) { return stream[d]; }), 1e-12)
+      << D << "-D, along " << along << ", entry " << entry;
+}
+
+TEST(PassingWater, ObliqueStreamThroughPeriodsStaysUniform) {
+  for (int entry = 0; entry < 2; ++entry) {
+    for (int along = 0; along < 2; ++along) expect_uniform_through_periods<2>(along, entry);
+    for (int along = 0; along < 3; ++along) expect_uniform_through_periods<3>(along, entry);
+  }
+}
+
 /// Water at rest takes up the stream at once: between slip sides the first projection leaves the
 /// uniform flow, to the accuracy of the viscous solve.
 TEST(PassingWater, InflowFillsABoxThatStartsAtRest) {

@@ -51,6 +51,7 @@ TEST(Judge, AKnownMissIsNoWorseThanKnown) {
   q.known_miss = 2.5;
   EXPECT_EQ(judge(q, 2.54).verdict, Verdict::known_miss);
   EXPECT_EQ(judge(q, 2.3).verdict, Verdict::known_miss);
+  EXPECT_EQ(judge(q, 1.7).verdict, Verdict::miss);
   EXPECT_EQ(judge(q, 2.56).verdict, Verdict::miss);
   EXPECT_EQ(judge(q, 2.05).verdict, Verdict::pass);
   EXPECT_EQ(judge(valued(2, 0.1), 2.5).verdict, Verdict::miss);
@@ -66,6 +67,8 @@ TEST(Order, OfTwoErrorsAndOfThreeValues) {
   EXPECT_NEAR(observed_order({5 + 0.09, 5 - 0.01}, 3, 5), 2, 1e-12);
   const auto value = [](double h) { return 7 + 0.4 * h * h; };
   EXPECT_NEAR(observed_order({value(0.4), value(0.2), value(0.1)}, 2, 0), 2, 1e-12);
+  EXPECT_TRUE(std::isnan(observed_order({1, 2, 1.5}, 2, 0)));
+  EXPECT_TRUE(std::isnan(observed_order({1, 0}, 2, 0)));
 }
 
 TEST(HistoryColumns, ByNameWithAndWithoutUnitBetweenTimes) {
