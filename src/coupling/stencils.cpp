@@ -19,7 +19,8 @@ typename ImmersedBoundary<D>::Line ImmersedBoundary<D>::line(double x, int axis,
                                                              bool on_faces) const {
   const auto& mesh = grid_.mesh();
   const int n = mesh.cells[axis];
-  const double cells = (x - mesh.lower[axis]) / mesh.h[axis] - (on_faces ? 0.0 : 0.5);
+  double cells = (x - mesh.lower[axis]) / mesh.h[axis] - (on_faces ? 0.0 : 0.5);
+  if (mesh.periodic[axis]) cells -= n * std::floor(cells / n);
   Line l{static_cast<int>(std::floor(cells)) - 1, kernel_weights(kernel_, cells)};
   if (mesh.periodic[axis]) {
     l.start = (l.start % n + n) % n;
@@ -101,6 +102,10 @@ void ImmersedBoundary<D>::place(const std::vector<Vec<D>>& X) {
   given_.clear();
   for (int m = 0; m < markers_.count(); ++m) {
     const Vec<D> x = markers_.position(m, X);
+    if (!x.allFinite())
+      throw RunError(
+          "the place of the cloth is no longer finite; try a smaller time.step, or coupling.scheme "
+          "= \"implicit\"");
     keep_off_open_sides(x, m);
     auto& s = stencils_[static_cast<std::size_t>(m)];
     for (int d = 0; d < D; ++d) {
