@@ -37,7 +37,7 @@ void add_modes(CLI::App& app, ModesArguments& arguments) {
   CLI::App& command = *app.add_subcommand("modes", "natural frequencies of a case's cloth");
   add_case(command, arguments.input);
   command.add_option("--count", arguments.count, "lowest frequencies to show")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(1, 10000))
       ->capture_default_str();
   command.add_option("-o", arguments.file, "JSON file of the frequencies")->type_name("FILE");
 }
@@ -59,7 +59,7 @@ void add_verify(CLI::App& app, VerifyArguments& arguments) {
       ->type_name("DIR");
   command.add_option("-j", arguments.jobs, "runs at once [physical cores]")
       ->type_name("JOBS")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1, 10000));
   command.add_flag("--force", arguments.force, "repeat finished runs");
   command.add_flag("--allow-known", arguments.allow_known,
                    "exit 0 where nothing but known misses is wrong");

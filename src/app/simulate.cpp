@@ -44,6 +44,7 @@ class Run {
         log_(open_log(options.directory, parallel_.root())),
         simulation_(whole, parallel_),
         observer_(simulation_),
+        directory_(options.directory),
         output_(simulation_, observer_, options.directory),
         progress_(whole.time.end, parallel_.root()) {
     if (parallel_.root()) replace_file(options.directory + "/case.toml", whole.resolved);
@@ -121,8 +122,11 @@ class Run {
   void finish(const std::string& outcome) {
     progress_.finish();
     output_.write_summary(outcome, progress_.elapsed());
-    log_->info("{}: t {:.6g} s, {} steps, {:.1f} s", outcome, simulation_.time(),
-               simulation_.last().number, progress_.elapsed());
+    const std::string line =
+        fmt::format("{}: t {:.6g} s, {} steps, {:.1f} s of computing", outcome, simulation_.time(),
+                    simulation_.last().number, progress_.elapsed());
+    log_->info(line);
+    if (parallel_.root()) fmt::print(stderr, "{}; results in {}\n", line, directory_);
   }
 
   const Case& case_;
@@ -130,6 +134,7 @@ class Run {
   std::shared_ptr<spdlog::logger> log_;
   Simulation<D> simulation_;
   Observer<D> observer_;
+  std::string directory_;
   Output<D> output_;
   Progress progress_;
   long frames_ = 0;

@@ -168,6 +168,7 @@ void apply_setting(Node& root, const std::string& setting) {
 const Node* find_key(const Node& root, const std::string& key) {
   const Node* node = &root;
   for (const Step& step : split(key)) {
+    if (node->is_list() && node->list().size() == 1) node = &node->list()[0];
     node = node->find(step.name);
     if (node && node->is_list() && step.entry > 0)
       node = step.entry <= node->list().size() ? &node->list()[step.entry - 1] : nullptr;

@@ -70,7 +70,8 @@ std::string_view trimmed(std::string_view text) {
 /// bit.
 double convert(double value, const ut_unit* from, const Measure& expected) {
   const Unit target = parse_unit(expected.unit);
-  if (!ut_are_convertible(from, target.get())) refuse(expected);
+  const Unit ratio(ut_divide(from, target.get()));  // UDUNITS would turn metres into 1/m
+  if (!ratio || !ut_is_dimensionless(ratio.get())) refuse(expected);
   if (counts_angle(from) != counts_angle(target.get())) refuse(expected);
   const std::unique_ptr<cv_converter, void (*)(cv_converter*)> converter(
       ut_get_converter(const_cast<ut_unit*>(from), target.get()), cv_free);

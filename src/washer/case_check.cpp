@@ -52,7 +52,8 @@ void check_times(const Case& whole, const Node& root) {
 InputError error_at_key(const Node& root, const std::string& key, const std::string& value,
                         const std::string& message) {
   if (const Node* node = find_key(root, key)) return error_at(*node, message);
-  return InputError(fmt::format("{}: {} = {}: {}", root.where, key, value, message));
+  const std::string is = value.empty() ? "" : " = " + value;
+  return InputError(fmt::format("{}: {}{}: {}", root.where, key, is, message));
 }
 
 std::string metres(double length) { return fmt::format("\"{:.6g} m\"", length); }

@@ -25,8 +25,8 @@ Table<CouplingCase> coupling_table() {
            choice<Scheme>({{"implicit", Scheme::implicit},
                            {"explicit", Scheme::explicit_euler},
                            {"broyden", Scheme::broyden}}),
-           "implicit cloth with entrained mass; the paper's forward Euler (3-D); or its iteration "
-           "over cloth and water (2-D), several pressure solves a step")
+           "implicit cloth with entrained mass; forward Euler, which the paper uses in 3-D; or its "
+           "2-D iteration over cloth and water, several pressure solves a step")
       .key(
           "kernel", &CouplingCase::kernel,
           choice<Kernel>(

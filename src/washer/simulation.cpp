@@ -218,9 +218,11 @@ void Simulation<D>::watch() const {
                                        last_.divergence, last_.pressure.cycles));
   const double limit = case_.coupling.strain_limit;
   if (last_.cloth.largest_strain > limit)
-    throw RunError(where + fmt::format("the cloth is stretched by {:.0f} %, limit {:.0f} %; try a "
-                                       "smaller time.step or time.cfl, or coupling.strain_limit",
-                                       100 * last_.cloth.largest_strain, 100 * limit));
+    throw RunError(
+        where + fmt::format("the cloth is stretched by {:.0f} %, limit {:.0f} %; try a "
+                            "smaller time.step or time.cfl, a larger cloth.stretch_stiffness, or "
+                            "another coupling.strain_limit",
+                            100 * last_.cloth.largest_strain, 100 * limit));
 }
 
 template class Simulation<2>;

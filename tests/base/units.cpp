@@ -37,6 +37,12 @@ TEST(Units, WrongOrMissingUnitNamesKindAndExample) {
     EXPECT_EQ(error_of(text, measure::stiffness), expected) << text;
 }
 
+TEST(Units, ReciprocalsAreNotConverted) {
+  EXPECT_NE(error_of("20 Hz", measure::time), "");
+  EXPECT_NE(error_of("0.5 m", measure::curvature), "");
+  EXPECT_NE(error_of("1e-5 m/N", measure::stiffness), "");
+}
+
 TEST(Units, AnglesAreADimension) {
   EXPECT_NE(error_of("2 Hz", measure::angular_speed), "");
   EXPECT_NE(error_of("2 rad/s", measure::frequency), "");

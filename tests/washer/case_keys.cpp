@@ -198,3 +198,10 @@ TEST(TimeKeys, SamplesAreNotCloserThanFixedSteps) {
   expect_error(text + "[output]\nevery = \"0.1 s\"\n",
                "output.every = \"0.1 s\": allowed: at least the fixed time.step, \"0.2 s\"");
 }
+
+TEST(ClothKeys, ErrorsOfASingleListedTableNameTheirLine) {
+  std::string listed = thread;
+  listed.replace(0, 7, "[[cloth]]");
+  expect_error(square + listed + "arrangement = \"sheet\"\npinned = \"s_lower\"\n",
+               ":15: cloth.pinned = ");
+}
