@@ -68,7 +68,7 @@ void add_sheet(Table<ClothCase>& table) {
            "length there")
       .only("for \"sheet\"", is_sheet)
       .key("pinned", &ClothCase::pinned, edges(),
-           "sheet: edges whose nodes do not move; they may stand in a solid")
+           "sheet: edges whose nodes do not move; they may stand in a solid at rest")
       .only("for \"sheet\"", is_sheet)
       .key("clamped", &ClothCase::clamped, edges(),
            "sheet: edges whose two rows of nodes do not move; the clamp acts midway between the "

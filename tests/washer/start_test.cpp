@@ -163,12 +163,15 @@ TEST(HeldEdges, PinsHoldOneRowAndClampsTwo) {
   EXPECT_EQ(build_cloth<3>(plate).groups[0].pinned.size(), 9u);
 }
 
-TEST(HeldEdges, MayStandInASolid) {
+TEST(HeldEdges, MayStandInASolidAtRest) {
   Case whole = thread_case();
   whole.solids = {{"post", sphere({0.25, 0.5, 0}, 0.06), Vec<3>::Zero(), at_rest()}};
   EXPECT_THAT(error_of(whole), HasSubstr("the sheet touches solid \"post\""));
   whole.cloth[0].pinned = {Edge::r_lower};
   EXPECT_EQ(error_of(whole), "no error");
+  whole.solids[0].drive = constant_speed(1);  // it would turn under the pin
+  EXPECT_THAT(error_of(whole), HasSubstr("the sheet touches solid \"post\""));
+  whole.solids[0].drive = at_rest();
   whole.cloth[0].origin = {0.21, 0.5, 0};  // the next node, too
   EXPECT_THAT(error_of(whole), HasSubstr("the sheet touches solid \"post\""));
 }
