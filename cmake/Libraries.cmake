@@ -12,7 +12,11 @@ find_package(benchmark REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 pkg_check_modules(muparser REQUIRED IMPORTED_TARGET muparser)
+find_package(ZLIB REQUIRED)
+find_package(TBB REQUIRED)
 find_library(UDUNITS2_LIBRARY udunits2 REQUIRED)
+find_library(OPENVDB_LIBRARY openvdb REQUIRED)
+find_library(B64_LIBRARY b64 REQUIRED)
 
 # Third-party headers are not held to our warnings.
 add_library(washtub_libraries INTERFACE)
@@ -20,5 +24,6 @@ target_include_directories(washtub_libraries SYSTEM INTERFACE
   ${MPI_CXX_INCLUDE_DIRS} ${HDF5_INCLUDE_DIRS} ${EIGEN3_INCLUDE_DIRS})
 target_link_libraries(washtub_libraries INTERFACE
   MPI::MPI_CXX ${HDF5_LIBRARIES} Eigen3::Eigen fmt::fmt spdlog::spdlog CLI11::CLI11
-  nlohmann_json::nlohmann_json PkgConfig::tomlplusplus PkgConfig::muparser ${UDUNITS2_LIBRARY})
+  nlohmann_json::nlohmann_json PkgConfig::tomlplusplus PkgConfig::muparser ${UDUNITS2_LIBRARY}
+  ZLIB::ZLIB ${B64_LIBRARY} ${OPENVDB_LIBRARY} TBB::tbb)
 target_compile_definitions(washtub_libraries INTERFACE OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)

@@ -2,7 +2,8 @@
 # `washtub_room(flow DEPENDS grid)` also says which way its includes may point.
 function(washtub_room room)
   cmake_parse_arguments(ARG "" "" "DEPENDS" ${ARGN})
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${room}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${room}/*.cpp
+    ${CMAKE_SOURCE_DIR}/src/${room}/*.S)
   list(TRANSFORM ARG_DEPENDS PREPEND washtub_)
   if(sources)
     add_library(washtub_${room} STATIC ${sources})

@@ -8,6 +8,7 @@
 #include "app/commands.hpp"
 #include "app/directory.hpp"
 #include "app/launch.hpp"
+#include "app/report.hpp"
 #include "app/run.hpp"
 #include "app/stop.hpp"
 #include "base/error.hpp"
@@ -46,10 +47,15 @@ bool all_failed() {
   return done != 0;
 }
 
-/// Ends quietly where every rank failed alike, else ends the others too.
-int fail(const char* message, int code) {
+/// Ends quietly where every rank failed alike, else ends the others too. `last_words` are for one
+/// rank only.
+template <class LastWords>
+int fail(const char* message, int code, const LastWords& last_words) {
   const bool together = all_failed();
-  if (!together || rank() == 0) print_error(message);
+  if (!together || rank() == 0) {
+    print_error(message);
+    last_words();
+  }
   if (!together) MPI_Abort(MPI_COMM_WORLD, code);
   return code;
 }
@@ -75,14 +81,19 @@ void prepare_once(const RunOptions& options) {
 int simulate(const RunArguments& arguments, const RunOptions& options) {
   const Mpi mpi;
   install_stop_handlers();
+  const auto report = [&] {
+    if (arguments.report) report_run(options.directory);
+  };
   try {
     const Case whole = read_case(arguments.input.path, arguments.input.settings);
     prepare_once(options);
-    return run_case(whole, options);
+    const int code = run_case(whole, options);
+    if (rank() == 0) report();
+    return code;
   } catch (const InputError& error) {
-    return fail(error.what(), 2);
+    return fail(error.what(), 2, [] {});
   } catch (const std::exception& error) {
-    return fail(error.what(), 1);
+    return fail(error.what(), 1, report);
   }
 }
 

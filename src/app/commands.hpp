@@ -18,6 +18,7 @@ struct RunArguments {
   std::string directory;     ///< of the results; "" = out/<name of the case>
   std::optional<int> ranks;  ///< as many as there are cores where not given
   bool force = false;
+  bool report = true;            ///< a page is made at the end
   std::vector<std::string> all;  ///< the whole command line
 };
 
@@ -39,11 +40,36 @@ struct VerifyArguments {
   bool allow_known = false;  ///< known misses leave the exit code alone
 };
 
+struct ReportArguments {
+  std::string directory;       ///< of the run
+  std::string file;            ///< page to write; "" = report.html in the run's directory
+  std::string size = "20 MB";  ///< largest size of the page
+};
+
+struct CompareArguments {
+  std::vector<std::string> directories;  ///< of the runs; the others are held against the first
+  std::string file = "comparison.html";  ///< page to write
+  std::string size = "20 MB";            ///< largest size of the page
+};
+
+struct MovieArguments {
+  std::string directory;  ///< of the run
+  std::string file;       ///< to write; "" = movie.mp4 in the run's directory
+  std::string size = "1280x720";
+  int fps = 30;
+  double speed = 1;           ///< seconds of the run in one of the movie
+  std::string from, to;       ///< times with units; "" = the whole run
+  std::string colour, slice;  ///< as in the page's view; "" = as the page begins
+};
+
 /// Every command returns the exit code.
 int command_run(const RunArguments& arguments);
 int command_check(const CaseArguments& arguments);
 int command_reference();
 int command_modes(const ModesArguments& arguments);
 int command_verify(const VerifyArguments& arguments);
+int command_report(const ReportArguments& arguments);
+int command_compare(const CompareArguments& arguments);
+int command_movie(const MovieArguments& arguments);
 
 }  // namespace washtub

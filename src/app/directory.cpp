@@ -30,8 +30,9 @@ void protect_case(const std::string& case_path, const std::string& directory) {
 namespace {
 
 /// Everything a run writes.
-constexpr const char* results[] = {"case.toml", "history.csv", "tracks.csv", "summary.json",
-                                   "log.txt",   "frames.xdmf", "frames"};
+constexpr const char* results[] = {"case.toml",      "history.csv", "tracks.csv",
+                                   "summary.json",   "log.txt",     "frames.xdmf",
+                                   "paraview.xdmf2", "frames",      "report.html"};
 
 }  // namespace
 

@@ -31,6 +31,7 @@ void add_run(CLI::App& app, RunArguments& arguments) {
       ->type_name("DIR");
   command.add_option("-n", arguments.ranks, "MPI ranks [physical cores]")->type_name("RANKS");
   command.add_flag("--force", arguments.force, "overwrite earlier results");
+  command.add_flag("!--no-report", arguments.report, "do not make report.html at the end");
 }
 
 void add_modes(CLI::App& app, ModesArguments& arguments) {
@@ -65,6 +66,49 @@ void add_verify(CLI::App& app, VerifyArguments& arguments) {
                    "exit 0 where nothing but known misses is wrong");
 }
 
+void add_report(CLI::App& app, ReportArguments& arguments) {
+  CLI::App& command = *app.add_subcommand("report", "make the page to look at a run");
+  command.add_option("DIR", arguments.directory, "directory of the run")->required();
+  command.add_option("-o", arguments.file, "page to write [DIR/report.html]")->type_name("FILE");
+  command.add_option("--max-size", arguments.size, "largest size of the page")
+      ->type_name("SIZE")
+      ->capture_default_str();
+}
+
+void add_compare(CLI::App& app, CompareArguments& arguments) {
+  CLI::App& command =
+      *app.add_subcommand("compare", "compare runs: what differs, and whether it is chance");
+  command.add_option("DIR", arguments.directories, "directories of the runs, two or more");
+  command.add_option("-o", arguments.file, "page to write")
+      ->type_name("FILE")
+      ->capture_default_str();
+  command.add_option("--max-size", arguments.size, "largest size of the page")
+      ->type_name("SIZE")
+      ->capture_default_str();
+}
+
+void add_movie(CLI::App& app, MovieArguments& arguments) {
+  CLI::App& command = *app.add_subcommand("movie", "make a movie of a run's cloth and water");
+  command.add_option("DIR", arguments.directory, "directory of the run")->required();
+  command.add_option("-o", arguments.file, "movie to write, MP4 [DIR/movie.mp4]")
+      ->type_name("FILE");
+  command.add_option("--size", arguments.size, "pixels")->type_name("WxH")->capture_default_str();
+  command.add_option("--fps", arguments.fps, "pictures per second")
+      ->type_name("N")
+      ->check(CLI::Range(1, 120))
+      ->capture_default_str();
+  command.add_option("--speed", arguments.speed, "seconds of the run in one of the movie")
+      ->type_name("X")
+      ->check(CLI::Range(0.001, 1000.0))
+      ->capture_default_str();
+  command.add_option("--from", arguments.from, "first time, as in \"1.5 s\"")->type_name("TIME");
+  command.add_option("--to", arguments.to, "last time")->type_name("TIME");
+  command.add_option("--colour", arguments.colour, "of the cloth: piece, or which stress [piece]")
+      ->check(CLI::IsMember({"piece", "membrane", "bending", "total"}));
+  command.add_option("--slice", arguments.slice, "planes through the water [off in 3-D]")
+      ->check(CLI::IsMember({"off", "vertical", "horizontal", "both"}));
+}
+
 /// @throws InputError where a word stands in the place of the command and is none.
 void check_command(const CLI::App& app, const std::string& word) {
   std::vector<std::string> names;
@@ -88,6 +132,12 @@ int command_line(int argc, char** argv) {
   add_modes(app, modes);
   VerifyArguments verify;
   add_verify(app, verify);
+  ReportArguments report;
+  add_report(app, report);
+  CompareArguments compare;
+  add_compare(app, compare);
+  MovieArguments movie;
+  add_movie(app, movie);
   app.add_subcommand("reference", "print the input reference");
   try {
     app.parse(argc, argv);
@@ -101,6 +151,9 @@ int command_line(int argc, char** argv) {
   if (app.got_subcommand("run")) return command_run(run);
   if (app.got_subcommand("modes")) return command_modes(modes);
   if (app.got_subcommand("verify")) return command_verify(verify);
+  if (app.got_subcommand("report")) return command_report(report);
+  if (app.got_subcommand("compare")) return command_compare(compare);
+  if (app.got_subcommand("movie")) return command_movie(movie);
   return app.got_subcommand("check") ? command_check(check) : command_reference();
 }
 

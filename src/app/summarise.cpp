@@ -1,26 +1,13 @@
 #include "app/summarise.hpp"
 
-#include <cmath>
-
+#include "measure/cycles.hpp"
 #include "measure/energy.hpp"
+#include "washer/groups.hpp"
 
 namespace washtub {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// What the scales of a case make of stresses and torques; 1 where it has none.
-struct Scales {
-  double stress = 1;  ///< sigma_o [Pa]
-  double torque = 1;  ///< tau_o [N m]
-};
-
-Scales scales(const Case& c) {
-  const double r = c.scale.length, w = c.scale.speed;
-  if (r <= 0 || w <= 0) return {};
-  const double stress = c.fluid.density * r * r * w * w;
-  return {stress, stress * r * r * (c.dimension == 3 ? c.scale.height : 1)};
-}
 
 Json stress_part(const StressSummary& s, double scale) {
   return {{"mean [Pa]", s.mean},
@@ -43,27 +30,22 @@ std::vector<double> series(const std::vector<Sample>& samples, const Interval& w
   return out;
 }
 
-double rms(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double v : values) sum += v * v;
-  return std::sqrt(sum / static_cast<double>(values.size()));
-}
+/// A value of every sample, with the times at which they end.
+struct Signal {
+  template <class Value>
+  Signal(const std::vector<Sample>& samples, Value&& value) {
+    for (const auto& s : samples) times.push_back(s.time), values.push_back(value(s));
+  }
+  Statistics over(const Interval& span) const { return over_span(times, values, span); }
 
-/// The whole cycles of the window that the samples cover, and their number; without a period the
-/// covered window in eight parts.
-std::pair<Interval, std::size_t> whole_cycles(const std::vector<Sample>& samples,
-                                              const Interval& window, double period) {
-  const double end = std::min(window.end, samples.back().time);
-  if (period <= 0) return {{window.begin, end}, 8};
-  const double cycles = std::max(0.0, std::floor((end - window.begin) / period + 1e-6));
-  return {{window.begin, window.begin + cycles * period}, static_cast<std::size_t>(cycles)};
-}
+  std::vector<double> times, values;
+};
 
 Json solid_summary(const std::string& name, const Drive& drive, std::size_t s,
                    const std::vector<Sample>& samples, const Interval& window, const Case& c) {
   const double tau = scales(c).torque;
   const auto part = [&](double SolidSample::*member) {
-    return rms(series(samples, window, [&](const Sample& x) { return x.solids[s].*member; }));
+    return Signal(samples, [&](const Sample& x) { return x.solids[s].*member; }).over(window).rms();
   };
   Json j = {
       {"name", name},
@@ -73,8 +55,9 @@ Json solid_summary(const std::string& name, const Drive& drive, std::size_t s,
       {"rms pressure torque / tau_o", part(&SolidSample::pressure) / tau},
       {"rms convective torque / tau_o", part(&SolidSample::convection) / tau},
       {"rms friction and pressure torque / tau_o",
-       rms(series(samples, window,
-                  [&](const Sample& x) { return x.solids[s].friction + x.solids[s].pressure; })) /
+       Signal(samples, [&](const Sample& x) { return x.solids[s].friction + x.solids[s].pressure; })
+               .over(window)
+               .rms() /
            tau}};
   if (!drive.moving()) return j;
   std::vector<TorqueSample> torques;
@@ -85,8 +68,8 @@ Json solid_summary(const std::string& name, const Drive& drive, std::size_t s,
   }
   j[c.dimension == 3 ? "mean power [W]" : "mean power [W/m]"] = mean_power(torques, window);
   if (drive.period() > 0) {
-    const auto cycles = energy_per_cycle(torques, window.begin, drive.period());
-    const auto mean = batch_means(cycles, cycles.size());
+    const auto cycles = energy_per_cycle(torques, window, drive.period());
+    const auto mean = mean_of_batches(cycles);
     const std::string unit = c.dimension == 3 ? " [J]" : " [J/m]";
     j["energy per cycle" + unit] = cycles;
     j["mean energy per cycle" + unit] = mean.mean;
@@ -119,14 +102,26 @@ Json loop_summary(const std::vector<Sample>& samples, const Interval& window, co
           {"signs agreeing with the wash loop, of 4", map.agreeing()}};
 }
 
+/// The scatter in every whole cycle of the window that the samples have covered.
+template <int D>
+std::vector<double> of_cycles(const Observer<D>& observer, double (Scatter::*scatter)() const) {
+  std::vector<double> values;
+  for (const Scatter& cycle : observer.scatter_of_cycles())
+    if (cycle.window().end < observer.samples().back().time * (1 + 1e-6))
+      values.push_back((cycle.*scatter)());
+  return values;
+}
+
 template <int D>
 Json cloth_summary(const Simulation<D>& simulation, const Observer<D>& observer) {
   const auto& c = simulation.definition();
   const auto& samples = observer.samples();
   const double sigma = scales(c).stress;
-  const auto [covered, cycles] = whole_cycles(samples, observer.window(), c.scale.period);
-  const auto stress = series(samples, covered, [](const Sample& s) { return s.stress.total; });
-  const auto mean = batch_means(stress, cycles);
+  const Signal stress(samples, [](const Sample& s) { return s.stress.total; });
+  std::vector<double> cycles;
+  for (const auto& cycle : whole_cycles(observer.window(), samples.back().time, c.scale.period))
+    cycles.push_back(stress.over(cycle).mean());
+  const auto mean = mean_of_batches(cycles);
   const auto pieces = static_cast<std::size_t>(simulation.cloth().pieces());
   Json j = {
       {"pieces", pieces},
@@ -136,6 +131,9 @@ Json cloth_summary(const Simulation<D>& simulation, const Observer<D>& observer)
       {"bending stress", stress_part(observer.stress().bending(), sigma)},
       {"scatter about the common centre [m]", observer.scatter().common()},
       {"scatter about each piece's own centre [m]", observer.scatter().own()},
+      {"scatter about the common centre in each cycle [m]", of_cycles(observer, &Scatter::common)},
+      {"scatter about each piece's own centre in each cycle [m]",
+       of_cycles(observer, &Scatter::own)},
       {"centre (r, z) [m]", {observer.scatter().centre()[0], observer.scatter().centre()[1]}}};
   if constexpr (D == 3) j["loop"] = loop_summary(samples, observer.window(), c);
   return j;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -25,6 +26,22 @@ int write_whole(const std::string& path, std::string_view text) {
 
 std::string cannot_write(const std::string& path, int error_number) {
   return fmt::format("cannot write {}: {}", path, std::strerror(error_number));
+}
+
+std::string read_file(const std::string& path) {
+  const auto fail = [&](int error) {
+    throw InputError(fmt::format("cannot read {}: {}", path, std::strerror(error)));
+  };
+  std::FILE* file = std::fopen(path.c_str(), "rb");
+  if (file == nullptr) fail(errno);
+  std::string text;
+  std::array<char, 1 << 16> part;
+  while (const std::size_t count = std::fread(part.data(), 1, part.size(), file))
+    text.append(part.data(), count);
+  const int error = std::ferror(file) ? errno : 0;
+  std::fclose(file);
+  if (error != 0) fail(error);
+  return text;
 }
 
 void replace_file(const std::string& path, std::string_view text) {

@@ -7,6 +7,9 @@ namespace washtub {
 /// "cannot write PATH: reason", for the error number of a failed system call.
 std::string cannot_write(const std::string& path, int error_number);
 
+/// The whole file. @throws InputError with path and reason
+std::string read_file(const std::string& path);
+
 /// Puts `text` in place of the file at once: readers see the old content or the new, never a part.
 /// Written under a temporary name beside it and renamed.
 /// @throws RunError with path and reason; the old file is then as it was and nothing is left over

@@ -134,6 +134,7 @@ void FrameWriter::publish(const Frame& frame, const ClothTopology& cloth) {
   index_.add(frame.time, relative_path(frames_), grid_, cloth, angles(frame.solids));
   try {
     replace_file(directory_ + "/frames.xdmf", index_.text());
+    if (frames_ == 0) replace_file(directory_ + "/paraview.xdmf2", paraview_index());
   } catch (const RunError&) {
     index_.drop_last();
     std::remove(target.c_str());

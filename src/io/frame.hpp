@@ -40,7 +40,8 @@ struct Frame {
 };
 
 /// Writes the frames of a run, each to its own file frames/frame_000000.h5 under the output
-/// directory, and keeps frames.xdmf up to date, so that ParaView can open it at any time:
+/// directory, and keeps frames.xdmf up to date, so that ParaView can open it, by way of
+/// paraview.xdmf2, at any time:
 ///   attributes of /   "time [s]", "angle of NAME [rad]"
 ///   /fluid/velocity (nz, ny, nx, 3) [m/s], pressure [Pa], solid (nz, ny, nx): 32-bit
 ///   /cloth/positions (nodes, 3) [m], membrane, bending, total (nodes) [Pa]: all pieces one

@@ -6,36 +6,15 @@
 #include <functional>
 #include <numeric>
 
+#include "io/hdf5_handle.hpp"
+
 namespace washtub {
 namespace {
-
-/// A handle of the HDF5 library, closed at the end of its scope.
-class Handle {
- public:
-  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
-  ~Handle() {
-    if (id_ >= 0) close_(id_);
-  }
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  operator hid_t() const { return id_; }
-
- private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
 
 herr_t keep_description(unsigned, const H5E_error2_t* record, void* text) {
   auto& description = *static_cast<std::string*>(text);
   if (description.empty() && record->desc != nullptr) description = record->desc;
   return 0;
-}
-
-/// What the library says of the innermost cause of its last failure.
-std::string last_error() {
-  std::string text;
-  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_description, &text);
-  return text.empty() ? "HDF5 failed" : text;
 }
 
 hsize_t product(const std::vector<hsize_t>& n) {
@@ -44,9 +23,15 @@ hsize_t product(const std::vector<hsize_t>& n) {
 
 }  // namespace
 
+std::string hdf5_error() {
+  std::string text;
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_description, &text);
+  return text.empty() ? "HDF5 failed" : text;
+}
+
 Hdf5File::Hdf5File(const std::string& path, MPI_Comm comm) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_fapl_mpio(access, comm, MPI_INFO_NULL);
   file_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
   failed(file_);
@@ -54,7 +39,7 @@ Hdf5File::Hdf5File(const std::string& path, MPI_Comm comm) {
 
 bool Hdf5File::failed(long long result) {
   if (result >= 0) return false;
-  if (reason_.empty()) reason_ = last_error();
+  if (reason_.empty()) reason_ = hdf5_error();
   return true;
 }
 
@@ -65,14 +50,14 @@ std::string Hdf5File::close() {
 }
 
 void Hdf5File::group(const std::string& name) {
-  const Handle group(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                     H5Gclose);
+  const Hdf5Handle group(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                         H5Gclose);
   failed(group);
 }
 
 void Hdf5File::attribute(const std::string& name, double value) {
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Handle attribute(
+  const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Hdf5Handle attribute(
       H5Acreate2(file_, name.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT),
       H5Aclose);
   if (!failed(attribute)) failed(H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value));
@@ -80,19 +65,19 @@ void Hdf5File::attribute(const std::string& name, double value) {
 
 void Hdf5File::unit(hid_t dataset, const std::string& text) {
   if (text.empty()) return;
-  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose), space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose), space(H5Screate(H5S_SCALAR), H5Sclose);
   H5Tset_size(type, text.size());
-  const Handle attribute(H5Acreate2(dataset, "unit", type, space, H5P_DEFAULT, H5P_DEFAULT),
-                         H5Aclose);
+  const Hdf5Handle attribute(H5Acreate2(dataset, "unit", type, space, H5P_DEFAULT, H5P_DEFAULT),
+                             H5Aclose);
   if (!failed(attribute)) failed(H5Awrite(attribute, type, text.data()));
 }
 
 void Hdf5File::write(const std::string& name, const std::string& unit_text, const Slab& slab,
                      hid_t type, const void* values, std::size_t size) {
-  const Handle space(
+  const Hdf5Handle space(
       H5Screate_simple(static_cast<int>(slab.extent.size()), slab.extent.data(), nullptr),
       H5Sclose);
-  const Handle dataset(
+  const Hdf5Handle dataset(
       H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
       H5Dclose);
   if (failed(dataset)) return;
@@ -105,8 +90,8 @@ void Hdf5File::write(const std::string& name, const std::string& unit_text, cons
 }
 
 void Hdf5File::put(hid_t dataset, const Slab& slab, hid_t type, const void* values) {
-  const Handle on_file(H5Dget_space(dataset), H5Sclose);
-  const Handle in_memory(
+  const Hdf5Handle on_file(H5Dget_space(dataset), H5Sclose);
+  const Hdf5Handle in_memory(
       H5Screate_simple(static_cast<int>(slab.count.size()), slab.count.data(), nullptr), H5Sclose);
   if (product(slab.count) == 0) {
     H5Sselect_none(on_file);
@@ -115,7 +100,7 @@ void Hdf5File::put(hid_t dataset, const Slab& slab, hid_t type, const void* valu
     failed(H5Sselect_hyperslab(on_file, H5S_SELECT_SET, slab.offset.data(), nullptr,
                                slab.count.data(), nullptr));
   }
-  const Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
+  const Hdf5Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
   H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
   failed(H5Dwrite(dataset, type, in_memory, on_file, transfer, values));
 }

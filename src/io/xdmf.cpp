@@ -10,14 +10,20 @@ namespace {
 constexpr std::string_view head = R"(<?xml version="1.0" encoding="utf-8"?>
 <Xdmf Version="3.0">
   <Domain>
-    <Grid Name="washtub" GridType="Collection" CollectionType="Temporal">
 )";
-constexpr std::string_view tail = R"(    </Grid>
-  </Domain>
+constexpr std::string_view tail = R"(  </Domain>
 </Xdmf>
 )";
-constexpr std::string_view frame_begin = "      <Grid Name=\"frame\"";
-constexpr std::string_view frame_end = "      </Grid>\n";
+constexpr std::string_view mesh_end = "      </Grid>\n";
+constexpr std::string_view time_key = "<Time Value=\"";
+
+/// First lines of one mesh at one time.
+std::string mesh_begin(const char* name, double time) {
+  return fmt::format(
+      "      <Grid Name=\"{}\" GridType=\"Uniform\">\n"
+      "        {}{:.17g}\"/>\n",
+      name, time_key, time);
+}
 
 std::string escaped(const std::string& text) {
   std::string out;
@@ -45,7 +51,7 @@ std::string stored(const std::string& path, const std::string& dimensions, const
 std::string attribute(const std::string& name, const char* type, const char* center,
                       const std::string& item) {
   return fmt::format(
-      "          <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"{}\">{}</Attribute>\n",
+      "        <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"{}\">{}</Attribute>\n",
       escaped(name), type, center, item);
 }
 
@@ -57,14 +63,14 @@ std::string reversed(const Vec<3>& v) {
       v[2], v[1], v[0]);
 }
 
-std::string fluid_element(const std::string& file, const FluidGrid& grid,
+std::string fluid_element(double time, const std::string& file, const FluidGrid& grid,
                           const std::vector<FrameNumber>& numbers) {
   const auto& n = grid.cells;
   const std::string cells = fmt::format("{} {} {}", n[2], n[1], n[0]);
-  std::string text = fmt::format(
-      "        <Grid Name=\"fluid\" GridType=\"Uniform\">\n"
-      "          <Topology TopologyType=\"3DCoRectMesh\" Dimensions=\"{} {} {}\"/>\n"
-      "          <Geometry GeometryType=\"ORIGIN_DXDYDZ\">{}{}</Geometry>\n",
+  std::string text = mesh_begin("fluid", time);
+  text += fmt::format(
+      "        <Topology TopologyType=\"3DCoRectMesh\" Dimensions=\"{} {} {}\"/>\n"
+      "        <Geometry GeometryType=\"ORIGIN_DXDYDZ\">{}{}</Geometry>\n",
       n[2] + 1, n[1] + 1, n[0] + 1, reversed(grid.lower), reversed(grid.spacing));
   text += attribute("velocity [m/s]", "Vector", "Cell",
                     stored(file + ":/fluid/velocity", cells + " 3", "Float", 4));
@@ -77,19 +83,19 @@ std::string fluid_element(const std::string& file, const FluidGrid& grid,
                       fmt::format("<DataItem Format=\"XML\" Dimensions=\"1\" NumberType=\"Float\" "
                                   "Precision=\"8\">{:.17g}</DataItem>",
                                   number.value));
-  return text + "        </Grid>\n";
+  return text.append(mesh_end);
 }
 
-std::string cloth_element(const std::string& file, const ClothTopology& cloth) {
+std::string cloth_element(double time, const std::string& file, const ClothTopology& cloth) {
   const std::string nodes = fmt::format("{}", cloth.nodes);
   const std::string shape =
       cloth.corners == 4
           ? "TopologyType=\"Quadrilateral\""
           : fmt::format("TopologyType=\"Polyline\" NodesPerElement=\"{}\"", cloth.corners);
-  std::string text = fmt::format(
-      "        <Grid Name=\"cloth\" GridType=\"Uniform\">\n"
-      "          <Topology {} NumberOfElements=\"{}\">{}</Topology>\n"
-      "          <Geometry GeometryType=\"XYZ\">{}</Geometry>\n",
+  std::string text = mesh_begin("cloth", time);
+  text += fmt::format(
+      "        <Topology {} NumberOfElements=\"{}\">{}</Topology>\n"
+      "        <Geometry GeometryType=\"XYZ\">{}</Geometry>\n",
       shape, cloth.cells,
       stored(file + ":/cloth/cells", fmt::format("{} {}", cloth.cells, cloth.corners), "Int", 4),
       stored(file + ":/cloth/positions", nodes + " 3", "Float", 8));
@@ -98,7 +104,34 @@ std::string cloth_element(const std::string& file, const ClothTopology& cloth) {
                       stored(fmt::format("{}:/cloth/{}", file, part), nodes, "Float", 8));
   text += attribute("piece", "Scalar", "Cell",
                     stored(file + ":/cloth/piece", fmt::format("{}", cloth.cells), "Int", 4));
-  return text + "        </Grid>\n";
+  return text.append(mesh_end);
+}
+
+/// The elements of one mesh that an earlier frames.xdmf lists, in its order.
+std::vector<std::string> elements(const std::string& text, const char* name) {
+  const std::string first_line = fmt::format("      <Grid Name=\"{}\" GridType=\"Uniform\">", name);
+  const std::string last_line = fmt::format("\n{}", mesh_end);
+  std::vector<std::string> found;
+  for (std::size_t begin = text.find(first_line); begin != std::string::npos;) {
+    const std::size_t end = text.find(last_line, begin);
+    if (end == std::string::npos) break;
+    found.push_back(text.substr(begin, end + last_line.size() - begin));
+    begin = text.find(first_line, end);
+  }
+  return found;
+}
+
+double time_of(const std::string& element) {
+  return std::strtod(element.c_str() + element.find(time_key) + time_key.size(), nullptr);
+}
+
+/// One mesh through all times; nothing where it is in no frame.
+std::string collection(const char* name, const std::string& meshes) {
+  if (meshes.empty()) return {};
+  return fmt::format(
+      "    <Grid Name=\"{}\" GridType=\"Collection\" CollectionType=\"Temporal\">\n"
+      "{}    </Grid>\n",
+      name, meshes);
 }
 
 }  // namespace
@@ -114,33 +147,35 @@ FluidGrid fluid_grid(const Mesh<2>& mesh) {
 
 void FrameIndex::add(double time, const std::string& file, const FluidGrid& fluid,
                      const ClothTopology& cloth, const std::vector<FrameNumber>& numbers) {
-  std::string frame = fmt::format(
-      "{} GridType=\"Collection\" CollectionType=\"Spatial\">\n"
-      "        <Time Value=\"{:.17g}\"/>\n",
-      frame_begin, time);
-  frame += fluid_element(file, fluid, numbers);
-  if (cloth.cells > 0) frame += cloth_element(file, cloth);
-  entries_.push_back({time, frame.append(frame_end)});
+  entries_.push_back({time, fluid_element(time, file, fluid, numbers),
+                      cloth.cells > 0 ? cloth_element(time, file, cloth) : ""});
 }
 
 void FrameIndex::restore(const std::string& text, double until) {
   entries_.clear();
-  constexpr std::string_view key = "<Time Value=\"";
-  const std::string last_line = fmt::format("\n{}", frame_end);
-  for (std::size_t begin = text.find(frame_begin); begin != std::string::npos;) {
-    const std::size_t time = text.find(key, begin), end = text.find(last_line, begin);
-    if (time == std::string::npos || end == std::string::npos) return;
-    const double value = std::strtod(text.c_str() + time + key.size(), nullptr);
-    const std::size_t next = end + last_line.size();
-    if (value <= until) entries_.push_back({value, text.substr(begin, next - begin)});
-    begin = text.find(frame_begin, next);
+  const std::vector<std::string> fluid = elements(text, "fluid"), cloth = elements(text, "cloth");
+  for (std::size_t i = 0; i < fluid.size(); ++i) {
+    const double time = time_of(fluid[i]);
+    if (time <= until) entries_.push_back({time, fluid[i], i < cloth.size() ? cloth[i] : ""});
   }
 }
 
 std::string FrameIndex::text() const {
-  std::string all(head);
-  for (const Entry& e : entries_) all += e.frame;
-  return all.append(tail);
+  std::string fluid, cloth;
+  for (const Entry& e : entries_) {
+    fluid += e.fluid;
+    cloth += e.cloth;
+  }
+  return fmt::format("{}{}{}{}", head, collection("fluid", fluid), collection("cloth", cloth),
+                     tail);
+}
+
+std::string paraview_index() {
+  return R"xml(<?xml version="1.0" encoding="utf-8"?>
+<Xdmf Version="3.0" xmlns:xi="http://www.w3.org/2001/XInclude">
+  <xi:include href="frames.xdmf" xpointer="xpointer(//Xdmf/Domain)"/>
+</Xdmf>
+)xml";
 }
 
 }  // namespace washtub

@@ -30,13 +30,14 @@ struct FrameNumber {
   double value = 0;
 };
 
-/// frames.xdmf (XDMF 3): a collection over time of two meshes, "fluid" and "cloth", whose values
-/// are in the frames' HDF5 files. Paths are relative to the directory of frames.xdmf.
+/// frames.xdmf (XDMF 3): two meshes, "fluid" and "cloth", each a collection over time, so that
+/// readers know them by the same name at every time. Their values are in the frames' HDF5 files.
+/// Paths are relative to the directory of frames.xdmf.
 class FrameIndex {
  public:
   struct Entry {
-    double time = 0;    ///< [s]
-    std::string frame;  ///< its <Grid> element
+    double time = 0;           ///< [s]
+    std::string fluid, cloth;  ///< their <Grid> elements; "" where a run has no cloth
   };
 
   /// `file`: path of the frame's HDF5 file, relative.
@@ -51,5 +52,9 @@ class FrameIndex {
  private:
   std::vector<Entry> entries_;
 };
+
+/// Text of paraview.xdmf2, which includes the whole of frames.xdmf. ParaView has one reader for
+/// this ending and so opens the file at once; for .xdmf it has three and asks which.
+std::string paraview_index();
 
 }  // namespace washtub

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "measure/cycles.hpp"
+
 namespace washtub {
 
 double work(std::span<const TorqueSample> samples, const Interval& window) {
@@ -17,17 +19,13 @@ double mean_power(std::span<const TorqueSample> samples, const Interval& window)
   return time > 0 ? work(samples, window) / time : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::vector<double> energy_per_cycle(std::span<const TorqueSample> samples, double start,
+std::vector<double> energy_per_cycle(std::span<const TorqueSample> samples, const Interval& window,
                                      double period) {
   std::vector<double> energies;
   if (samples.empty() || !(period > 0)) return energies;
-  const double slack = 1e-9 * period;
-  if (samples.front().over.begin > start + slack) return energies;
-  for (Interval cycle{start, start + period}; cycle.end <= samples.back().over.end + slack;) {
+  if (samples.front().over.begin > window.begin + 1e-9 * period) return energies;
+  for (const Interval& cycle : whole_cycles(window, samples.back().over.end, period))
     energies.push_back(work(samples, cycle));
-    const double cycles = static_cast<double>(energies.size());
-    cycle = {start + cycles * period, start + (cycles + 1) * period};
-  }
   return energies;
 }
 

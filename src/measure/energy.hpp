@@ -21,9 +21,9 @@ double work(std::span<const TorqueSample> samples, const Interval& window);
 /// Work per covered time of the window [W]; NaN if the samples do not touch it.
 double mean_power(std::span<const TorqueSample> samples, const Interval& window);
 
-/// Work of every whole cycle, first one from `start` [J]; a cycle that the samples do not cover to
-/// its end is left out. Samples in order of time, without gaps.
-std::vector<double> energy_per_cycle(std::span<const TorqueSample> samples, double start,
+/// Work of every whole cycle of the window, first one from its begin [J]; a cycle that the samples
+/// do not cover is left out. Samples in order of time, without gaps.
+std::vector<double> energy_per_cycle(std::span<const TorqueSample> samples, const Interval& window,
                                      double period);
 
 }  // namespace washtub

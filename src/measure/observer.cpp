@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "cloth/thread.hpp"
+#include "measure/cycles.hpp"
 
 namespace washtub {
 
@@ -28,6 +29,11 @@ Observer<D>::Observer(Simulation<D>& simulation)
       axis_(turning_axis(simulation.mapping().solids())),
       stress_(static_cast<std::size_t>(simulation.cloth().pieces()), window_),
       scatter_(static_cast<std::size_t>(simulation.cloth().pieces()), window_, axis_) {
+  const auto cycles = whole_cycles(window_, window_.end, simulation.definition().scale.period);
+  for (const Interval& cycle : cycles)
+    if (cycles.size() <= 1000)
+      scatter_of_cycles_.emplace_back(static_cast<std::size_t>(simulation.cloth().pieces()), cycle,
+                                      axis_);
   if (simulation.definition().exact) exact_.emplace(*simulation.definition().exact);
   const auto n = simulation.cloth().position.size();
   for (auto* v : {&membrane_, &bending_, &total_}) v->resize(n);
@@ -76,7 +82,9 @@ void Observer<D>::observe_cloth(Sample& sample, const Interval& since) {
       };
       sample.pieces.push_back(
           area_mean({part(membrane_), part(bending_), part(total_)}, g.sheet.area));
-      scatter_.add<D>(since, static_cast<std::size_t>(g.first_piece + p), X, g.sheet.area);
+      const auto piece = static_cast<std::size_t>(g.first_piece + p);
+      scatter_.add<D>(since, piece, X, g.sheet.area);
+      for (Scatter& cycle : scatter_of_cycles_) cycle.add<D>(since, piece, X, g.sheet.area);
       sample.centres.push_back(radius_height<D>(centre_of_mass<D>(X, g.sheet.area), axis_));
       const double piece_area = std::accumulate(g.sheet.area.begin(), g.sheet.area.end(), 0.0);
       sample.centre += piece_area * sample.centres.back();

@@ -53,6 +53,8 @@ class Observer {
   const std::vector<double>& total() const { return total_; }
   const StressStatistics& stress() const { return stress_; }
   const Scatter& scatter() const { return scatter_; }
+  /// Of every whole cycle of the window, those to come still empty; none where there are over 1000.
+  const std::vector<Scatter>& scatter_of_cycles() const { return scatter_of_cycles_; }
   const Interval& window() const { return window_; }
   /// Largest values over all steps so far.
   struct Extremes {
@@ -76,6 +78,7 @@ class Observer {
   Vec<2> axis_;
   StressStatistics stress_;
   Scatter scatter_;
+  std::vector<Scatter> scatter_of_cycles_;
   std::optional<ExactSolution<D>> exact_;
   std::vector<Sample> samples_;
   std::vector<NodeStress> node_stress_;

@@ -31,6 +31,7 @@ class Scatter {
     }
   }
 
+  const Interval& window() const { return window_; }
   double common() const;                   ///< r' about the common centre [m]
   double own() const;                      ///< r' about each piece's own centre [m]
   Vec<2> centre() const;                   ///< the common centre (r, z) [m]

@@ -1,7 +1,5 @@
 #pragma once
 #include <algorithm>
-#include <cstddef>
-#include <span>
 
 namespace washtub {
 
@@ -29,20 +27,5 @@ class Statistics {
  private:
   double weight_ = 0, mean_ = 0, squares_ = 0;
 };
-
-/// Mean of a series with its uncertainty.
-struct MeanEstimate {
-  double mean = 0;
-  double half_width = 0;    ///< the mean is within +- this with 95 % confidence; NaN: unknown
-  std::size_t batches = 0;  ///< averaged batches it rests on
-};
-
-/// Mean of a correlated, equally spaced series by the method of batch means: the series is cut into
-/// equal contiguous batches, whose means are taken as independent, so that the half width is
-/// Student's t times their standard deviation over sqrt(batches). It holds when a batch is longer
-/// than the memory of the signal: for a washer let each batch be one or more whole cycles. The
-/// mean is over the whole series; samples left over at the start belong to no batch. With fewer
-/// than two batches, or fewer samples than batches, the half width is NaN.
-MeanEstimate batch_means(std::span<const double> series, std::size_t batches = 8);
 
 }  // namespace washtub

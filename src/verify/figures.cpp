@@ -41,13 +41,13 @@ Points over_time(const CaseRuns& c, const Curve& curve) {
   Points points{curve.label, true, false, {}, {}};
   const RunResult& run = run_of(c, curve.run);
   if (!run.finished()) return points;
-  const HistoryFile history(run.directory + "/history.csv");
-  Series series = history.series(curve.column, curve.window);
-  if (!curve.minus.empty()) series = difference(series, history.series(curve.minus, curve.window));
-  const std::size_t stride = 1 + series.values.size() / most_points;
-  for (std::size_t i = 0; i < series.values.size(); i += stride) {
-    points.x.push_back(series.times[i]);
-    points.y.push_back(series.values[i] / curve.per);
+  const CsvTable history = read_table(run.directory + "/history.csv");
+  Series column = series(history, curve.column, curve.window);
+  if (!curve.minus.empty()) column = difference(column, series(history, curve.minus, curve.window));
+  const std::size_t stride = 1 + column.values.size() / most_points;
+  for (std::size_t i = 0; i < column.values.size(); i += stride) {
+    points.x.push_back(column.times[i]);
+    points.y.push_back(column.values[i] / curve.per);
   }
   return points;
 }

@@ -135,11 +135,11 @@ double measured_number(const Measured& what, const RunResult& run) {
   if (!what.summary.empty())
     return number_at(run.directory + "/summary.json", what.summary) / what.per;
   if (what.mode > 0) return frequency_at(run.directory + "/modes.json", what.mode) / what.per;
-  const HistoryFile history(run.directory + "/history.csv");
-  Series series = history.series(what.column, what.window);
-  if (!what.minus.empty()) series = difference(series, history.series(what.minus, what.window));
+  const CsvTable history = read_table(run.directory + "/history.csv");
+  Series column = series(history, what.column, what.window);
+  if (!what.minus.empty()) column = difference(column, series(history, what.minus, what.window));
   try {
-    return take_of(what.take, series.times, series.values) / what.per;
+    return take_of(what.take, column.times, column.values) / what.per;
   } catch (const InputError& error) {
     throw InputError(
         fmt::format("{}/history.csv: {}: {}", run.directory, what.column, error.what()));

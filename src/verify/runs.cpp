@@ -172,7 +172,7 @@ std::vector<std::string> run_words(const Expected& expected, const RunSpec& run,
     words.insert(words.end(), {"--count", std::to_string(modes_of(expected, run.name)), "-o",
                                directory + "/modes.json"});
   } else {
-    words.insert(words.end(), {"-o", directory, "-n", "1", "--force"});
+    words.insert(words.end(), {"-o", directory, "-n", "1", "--force", "--no-report"});
   }
   for (const std::string& setting : run.settings) words.insert(words.end(), {"--set", setting});
   return words;

@@ -24,6 +24,7 @@ struct FluidCase {
 };
 
 enum class SideKind { no_slip, slip, moving_wall, periodic, inflow, outflow, far_field };
+std::string side_name(SideKind kind);  ///< "no-slip"
 
 /// Condition on one side of the box.
 struct SideCase {

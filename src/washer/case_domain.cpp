@@ -6,14 +6,13 @@ namespace {
 constexpr std::array<const char*, 6> side_names = {"x_lower", "x_upper", "y_lower",
                                                    "y_upper", "z_lower", "z_upper"};
 
-Format<SideKind> side_format() {
-  return choice<SideKind>({{"no-slip", SideKind::no_slip},
-                           {"slip", SideKind::slip},
-                           {"periodic", SideKind::periodic},
-                           {"moving-wall", SideKind::moving_wall},
-                           {"inflow", SideKind::inflow},
-                           {"outflow", SideKind::outflow},
-                           {"far-field", SideKind::far_field}});
+const std::vector<std::pair<std::string, SideKind>>& side_kinds() {
+  static const std::vector<std::pair<std::string, SideKind>> kinds = {
+      {"no-slip", SideKind::no_slip},    {"slip", SideKind::slip},
+      {"periodic", SideKind::periodic},  {"moving-wall", SideKind::moving_wall},
+      {"inflow", SideKind::inflow},      {"outflow", SideKind::outflow},
+      {"far-field", SideKind::far_field}};
+  return kinds;
 }
 
 /// Keys of one side: its kind, and the velocity of a moving wall or of the water that enters.
@@ -26,7 +25,7 @@ void add_side(Table<DomainCase>& table, size_t side) {
   };
   table.key(
       name, [side](DomainCase& domain) -> SideKind& { return domain.sides[side].kind; },
-      side_format(),
+      choice<SideKind>(side_kinds()),
       "condition on that side; periodic sides come in pairs; water leaves through outflow "
       "and passes through far-field, the side of a stream");
   if (side >= 4) table.only("in 3-D", exists);
@@ -46,6 +45,12 @@ Table<DomainCase> sides_table() {
 }
 
 }  // namespace
+
+std::string side_name(SideKind kind) {
+  for (const auto& [name, other] : side_kinds())
+    if (other == kind) return name;
+  return "";
+}
 
 Table<FluidCase> fluid_table() {
   Table<FluidCase> table("The water.");

@@ -1,58 +1,19 @@
+#include "program.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "washer/case.hpp"
 
 using testing::HasSubstr;
+using washtub::testing::Outcome;
+using washtub::testing::Program;
 namespace fs = std::filesystem;
 
 namespace {
-
-struct Outcome {
-  int code;
-  std::string text;  ///< of both output streams
-};
-
-/// Runs the built program as a user does, from an empty folder of its own.
-class Program : public testing::Test {
- protected:
-  Program() {
-    char name[] = "/tmp/washtub-test-XXXXXX";
-    folder = mkdtemp(name);
-  }
-  ~Program() override { fs::remove_all(folder); }
-
-  Outcome run(const std::string& arguments) const {
-    const std::string command = "cd " + folder.string() +
-                                " && env -u OMPI_COMM_WORLD_SIZE -u PMIX_RANK -u PMI_RANK " +
-                                WASHTUB_PROGRAM + " " + arguments + " 2>&1";
-    FILE* pipe = popen(command.c_str(), "r");
-    Outcome outcome;
-    std::array<char, 4096> part{};
-    while (const size_t count = fread(part.data(), 1, part.size(), pipe))
-      outcome.text.append(part.data(), count);
-    const int status = pclose(pipe);
-    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    return outcome;
-  }
-  /// The command fails as wrong input, says so in one line, and writes nothing.
-  void refuses(const std::string& arguments, const std::string& message) const {
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.code, 2) << outcome.text;
-    EXPECT_EQ(outcome.text, "washtub: " + message + "\n");
-    EXPECT_TRUE(fs::is_empty(folder)) << arguments;
-  }
-
-  fs::path folder;
-};
 
 std::string wash() { return fs::absolute("cases/wash-3d/case.toml").string(); }
 
@@ -100,7 +61,9 @@ TEST_F(Program, RefusesWhatDoesNotFit) {
 TEST_F(Program, RefusesWrongCommandLines) {
   refuses("check nothing.toml", "nothing.toml: no such file");
   refuses("run " + wash() + " -n 0", "-n 0: allowed: 1 or more ranks");
-  refuses("wash", "unknown command wash; there are run, check, modes, verify, reference");
+  refuses("wash",
+          "unknown command wash; there are run, check, modes, verify, report, compare, movie, "
+          "reference");
 }
 
 TEST_F(Program, DoesNotWriteOverTheCaseFile) {

@@ -10,6 +10,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// Whether every opened tag is closed in the right order and nothing else uses < or >.
 bool well_formed(const std::string& xml) {
@@ -58,11 +59,27 @@ TEST(Xdmf, IsWellFormedFromTheFirstFrameOn) {
   EXPECT_FALSE(well_formed(text.substr(0, text.size() - 5)));
 }
 
-TEST(Xdmf, OneFluidAndOneClothPerTime) {
+TEST(Xdmf, OneFluidAndOneClothThroughAllTimes) {
   const std::string text = two_frames().text();
-  EXPECT_THAT(all(text, "Grid Name=\"(\\w+)\""),
-              ElementsAre("washtub", "frame", "fluid", "cloth", "frame", "fluid", "cloth"));
-  EXPECT_EQ(all(text, "<Time Value=\"(0\\.[12]\\d*)\"").size(), 2);
+  EXPECT_THAT(all(text, "Grid Name=\"(\\w+)\" GridType=\"Collection\" CollectionType=\"Temporal\""),
+              ElementsAre("fluid", "cloth"));
+  EXPECT_THAT(all(text, "Grid Name=\"(\\w+)\" GridType=\"Uniform\""),
+              ElementsAre("fluid", "fluid", "cloth", "cloth"));
+  EXPECT_THAT(all(text, "<Time Value=\"(0\\.[12])\\d*\""), ElementsAre("0.1", "0.2", "0.1", "0.2"));
+}
+
+TEST(Xdmf, WithoutClothThereIsNoMeshOfIt) {
+  FrameIndex index;
+  index.add(0, "f.h5", grid, {}, {});
+  EXPECT_THAT(index.text(), Not(HasSubstr("cloth")));
+  FrameIndex again;
+  again.restore(index.text(), 0);
+  EXPECT_EQ(again.text(), index.text());
+}
+
+TEST(Xdmf, ParaViewsFileIncludesAllFrames) {
+  EXPECT_TRUE(well_formed(paraview_index()));
+  EXPECT_THAT(paraview_index(), HasSubstr("href=\"frames.xdmf\""));
 }
 
 TEST(Xdmf, FluidIsDescribedSlowestAxisFirst) {

@@ -27,7 +27,7 @@ TEST(Energy, ViscousStrokeDoesTheWorkOfItsMeanSquareSpeed) {
   const double per_cycle = 0.5 * 144 / 2 * 1.6;
   EXPECT_NEAR(work(samples, {0, 4.8}), 3 * per_cycle, 1e-3 * per_cycle);
   EXPECT_NEAR(mean_power(samples, {1.6, 3.2}), per_cycle / 1.6, 1e-3 * per_cycle);
-  const auto cycles = energy_per_cycle(samples, 1.6, 1.6);
+  const auto cycles = energy_per_cycle(samples, {1.6, 4.8}, 1.6);
   ASSERT_EQ(cycles.size(), 2);
   for (const double e : cycles) EXPECT_NEAR(e, per_cycle, 1e-3 * per_cycle);
 }
@@ -46,10 +46,11 @@ TEST(Energy, SamplesWithoutLengthDoNotCount) {
 
 TEST(Energy, UnfinishedCyclesAreLeftOut) {
   const std::vector<TorqueSample> samples = {{{0, 1}, 1, 1}, {{1, 2.5}, 3, 1}};
-  EXPECT_EQ(energy_per_cycle(samples, 0, 1).size(), 2);
-  EXPECT_DOUBLE_EQ(energy_per_cycle(samples, 0, 1)[1], 2);
-  EXPECT_TRUE(energy_per_cycle({}, 0, 1).empty());
-  EXPECT_TRUE(energy_per_cycle(samples, -1, 1).empty());
+  EXPECT_EQ(energy_per_cycle(samples, {0, 9}, 1).size(), 2);
+  EXPECT_DOUBLE_EQ(energy_per_cycle(samples, {0, 9}, 1)[1], 2);
+  EXPECT_EQ(energy_per_cycle(samples, {0, 1.5}, 1).size(), 1);  // the window ends
+  EXPECT_TRUE(energy_per_cycle({}, {0, 9}, 1).empty());
+  EXPECT_TRUE(energy_per_cycle(samples, {-1, 9}, 1).empty());
 }
 
 }  // namespace

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
-#include <vector>
 
 namespace washtub {
 namespace {
@@ -37,39 +35,6 @@ TEST(Statistics, SmallSpreadAboutALargeMeanIsNotLost) {
 
 TEST(Statistics, NothingKnownBeforeTheFirstSample) {
   EXPECT_TRUE(std::isnan(Statistics().mean()) && std::isnan(Statistics().deviation()));
-}
-
-TEST(BatchMeans, KnownSmallSeries) {
-  const std::vector<double> series = {9, 0, 2, 4, 6};  // batches (0, 2), (4, 6): means 1 and 5
-  const MeanEstimate e = batch_means(series, 2);
-  EXPECT_DOUBLE_EQ(e.mean, 4.2);
-  EXPECT_NEAR(e.half_width, 12.706 * std::sqrt(8.0) / std::sqrt(2.0), 1e-12);
-}
-
-TEST(BatchMeans, PeriodicSeriesInWholePeriodsIsCertain) {
-  std::vector<double> series;
-  for (int i = 0; i < 160; ++i) series.push_back(3 + std::sin(2 * M_PI * i / 20));
-  const MeanEstimate e = batch_means(series, 8);
-  EXPECT_NEAR(e.mean, 3, 1e-12);
-  EXPECT_NEAR(e.half_width, 0, 1e-12);
-}
-
-TEST(BatchMeans, CoversTheTrueMeanOfACorrelatedSeries) {
-  std::mt19937 engine(1);
-  std::normal_distribution<double> noise;
-  int covered = 0;
-  for (int run = 0; run < 200; ++run) {
-    std::vector<double> series;
-    for (double x = 0; series.size() < 2000; series.push_back(x)) x = 0.9 * x + noise(engine);
-    const MeanEstimate e = batch_means(series);
-    covered += std::abs(e.mean) < e.half_width;
-  }
-  EXPECT_NEAR(covered, 190, 12);  // 95 % of 200
-}
-
-TEST(BatchMeans, TooFewSamplesLeaveItUnknown) {
-  EXPECT_TRUE(std::isnan(batch_means(std::vector<double>{1, 2, 3}, 8).half_width));
-  EXPECT_TRUE(std::isnan(batch_means({}, 8).mean));
 }
 
 }  // namespace

@@ -78,15 +78,15 @@ TEST(HistoryColumns, ByNameWithAndWithoutUnitBetweenTimes) {
     for (int i = 0; i <= 10; ++i)
       history.add(std::vector<double>{0.1 * i, 2.0 * i, i % 2 ? 1.0 * i : std::nan("")});
   }
-  const HistoryFile file(folder.path("history.csv"));
-  const auto all = file.series("speed", {0, 100});
+  const CsvTable file = read_table(folder.path("history.csv"));
+  const auto all = series(file, "speed", {0, 100});
   EXPECT_EQ(all.values.size(), 11U);
-  EXPECT_EQ(file.series("speed [m/s]", {0.3, 0.5}).values, (std::vector<double>{6, 8, 10}));
-  EXPECT_EQ(file.series("slip", {0, 0.5}).values, (std::vector<double>{1, 3, 5}));
+  EXPECT_EQ(series(file, "speed [m/s]", {0.3, 0.5}).values, (std::vector<double>{6, 8, 10}));
+  EXPECT_EQ(series(file, "slip", {0, 0.5}).values, (std::vector<double>{1, 3, 5}));
   EXPECT_EQ(difference(all, all).values[3], 0);
-  EXPECT_THROW(difference(all, file.series("slip", {0, 100})), InputError);
+  EXPECT_THROW(difference(all, series(file, "slip", {0, 100})), InputError);
   try {
-    file.series("sped", {0, 100});
+    series(file, "sped", {0, 100});
     FAIL();
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("history.csv: no column \"sped\", nearest: \"speed\""));

@@ -42,7 +42,7 @@ TEST(RunWords, RunsTakeOneRankAndTheirSettings) {
   expected.runs[0].settings = {"domain.cells=64"};
   EXPECT_THAT(run_words(expected, expected.runs[0], "out"),
               ElementsAre("run", "/cases/plate/case.toml", "-o", "out", "-n", "1", "--force",
-                          "--set", "domain.cells=64"));
+                          "--no-report", "--set", "domain.cells=64"));
 }
 
 }  // namespace

@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "app/commands.hpp"
+#include "app/report.hpp"
+#include "app/size.hpp"
+#include "base/error.hpp"
+#include "report/page.hpp"
+
+namespace washtub {
+namespace {
+
+namespace fs = std::filesystem;
+
+double seconds() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
+}
+
+/// Writes the page. Returns what there is to say about it.
+std::string report(const std::string& directory, const std::string& path, std::size_t limit) {
+  const double start = seconds();
+  PageContent content;
+  content.program = "washtub " WASHTUB_VERSION;
+  content.runs.push_back(read_run(directory));
+  const PageSize size = write_page(path, content, limit);
+  return fmt::format("{}: {:.1f} MB, {} frames, made in {:.1f} s", path,
+                     static_cast<double>(size.bytes) / 1e6, size.frames, seconds() - start);
+}
+
+std::string default_path(const std::string& directory) {
+  return (fs::path(directory) / "report.html").string();
+}
+
+}  // namespace
+
+int command_report(const ReportArguments& arguments) {
+  const std::size_t limit = parse_size(arguments.size);
+  const std::string& file = arguments.file;
+  fmt::print("{}\n", report(arguments.directory,
+                            file.empty() ? default_path(arguments.directory) : file, limit));
+  return 0;
+}
+
+void report_run(const std::string& directory) {
+  std::error_code error;
+  if (!fs::exists(fs::path(directory) / "history.csv", error)) return;
+  std::string line;
+  try {
+    const std::size_t limit = parse_size(ReportArguments().size);
+    line = report(directory, default_path(directory), limit);
+  } catch (const std::exception& failure) {
+    line = fmt::format("no report: {}", failure.what());
+  }
+  fmt::print(stderr, "{}\n", line);
+  std::ofstream(directory + "/log.txt", std::ios::app) << line << '\n';
+}
+
+}  // namespace washtub

@@ -1,0 +1,184 @@
+#include "io/frame_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <functional>
+#include <numeric>
+#include <optional>
+#include <string_view>
+
+#include "base/error.hpp"
+
+namespace washtub {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view before = "frame_", after = ".h5";
+
+/// The number in "frame_000012.h5"; none for other names.
+std::optional<int> frame_number(std::string_view name) {
+  if (!name.starts_with(before) || !name.ends_with(after)) return {};
+  name.remove_prefix(before.size());
+  name.remove_suffix(std::min(after.size(), name.size()));
+  int number = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+  if (error != std::errc() || end != name.data() + name.size() || number < 0) return {};
+  return number;
+}
+
+/// For reading only, without locks: some file systems have none, and finished frames never change.
+hid_t open(const std::string& path) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_file_locking(access, false, true);
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
+  if (file < 0) throw InputError(fmt::format("{}: is no whole frame ({})", path, hdf5_error()));
+  return file;
+}
+
+herr_t keep_name(hid_t, const char* name, const H5A_info_t*, void* names) {
+  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
+  return 0;
+}
+
+/// Marks the directions in which some cell of a piece joins its last nodes to its first ones.
+void mark_closed(std::vector<ClothFrame::Piece>& pieces, const std::vector<int>& cells,
+                 const std::vector<int>& piece) {
+  const std::size_t corners = piece.empty() ? 1 : cells.size() / piece.size();
+  for (std::size_t c = 0; c < piece.size(); ++c) {
+    auto& p = pieces[static_cast<std::size_t>(piece[c])];
+    const int* nodes = &cells[c * corners];
+    const int from = nodes[0] - p.first, to = nodes[corners == 4 ? 2 : 1] - p.first;
+    const int nr = p.extent[0];
+    if (corners == 4 && to % nr < from % nr) p.closed[0] = true;
+    if (to / nr < from / nr) p.closed[1] = true;
+  }
+}
+
+}  // namespace
+
+FrameFiles frame_files(const std::string& directory) {
+  FrameFiles found;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(fs::path(directory) / "frames", error))
+    if (const auto number = frame_number(entry.path().filename().string()))
+      found.numbers.push_back(*number);
+  std::sort(found.numbers.begin(), found.numbers.end());
+  int next = 0;
+  for (const int number : found.numbers) {
+    for (; next < number; ++next) found.gaps.push_back(next);
+    next = number + 1;
+  }
+  return found;
+}
+
+std::string frame_path(const std::string& directory, int number) {
+  return (fs::path(directory) / "frames" / fmt::format("{}{:06d}{}", before, number, after))
+      .string();
+}
+
+FrameReader::FrameReader(const std::string& path) : path_(path), file_(open(path), H5Fclose) {}
+
+void FrameReader::fail(const std::string& what) const {
+  throw InputError(fmt::format("{}: {}", path_, what));
+}
+
+double FrameReader::attribute(const std::string& name) const {
+  const Hdf5Handle found(H5Aopen(file_, name.c_str(), H5P_DEFAULT), H5Aclose);
+  double value = 0;
+  if (found < 0 || H5Aread(found, H5T_NATIVE_DOUBLE, &value) < 0)
+    fail(fmt::format("has no \"{}\"; it may be of another version", name));
+  return value;
+}
+
+std::vector<SolidAngle> FrameReader::solids() const {
+  std::vector<std::string> names;
+  hsize_t at = 0;
+  H5Aiterate2(file_, H5_INDEX_NAME, H5_ITER_NATIVE, &at, keep_name, &names);
+  const std::string_view head = "angle of ", tail = " [rad]";
+  std::vector<SolidAngle> solids;
+  for (const std::string& name : names)
+    if (name.starts_with(head) && name.ends_with(tail))
+      solids.push_back(
+          {name.substr(head.size(), name.size() - head.size() - tail.size()), attribute(name)});
+  return solids;
+}
+
+std::vector<hsize_t> FrameReader::extent(const std::string& name) const {
+  const Hdf5Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (dataset < 0) fail(fmt::format("has no dataset {}; it may be of another version", name));
+  const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
+  std::vector<hsize_t> n(static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(space))));
+  H5Sget_simple_extent_dims(space, n.data(), nullptr);
+  return n;
+}
+
+template <class T>
+std::vector<T> FrameReader::values(const std::string& name, hid_t type) const {
+  const std::vector<hsize_t> n = extent(name);
+  const double count = std::accumulate(n.begin(), n.end(), 1.0, std::multiplies<>());
+  if (count > static_cast<double>(fs::file_size(path_)))
+    fail(fmt::format("dataset {} is damaged: larger than its file", name));
+  std::vector<T> out(static_cast<std::size_t>(count));
+  const Hdf5Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (!out.empty() && H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, out.data()) < 0)
+    fail(fmt::format("dataset {} cannot be read ({})", name, hdf5_error()));
+  return out;
+}
+
+std::vector<double> FrameReader::per_node(const std::string& name, std::size_t count) const {
+  auto out = values<double>(name, H5T_NATIVE_DOUBLE);
+  if (out.size() != count)
+    fail(fmt::format("dataset {} has {} values for {}", name, out.size(), count));
+  return out;
+}
+
+ClothFrame FrameReader::cloth() const {
+  ClothFrame cloth;
+  if (H5Lexists(file_, "cloth", H5P_DEFAULT) <= 0) return cloth;
+  const auto index = values<int>("cloth/pieces", H5T_NATIVE_INT);
+  std::size_t nodes = 0;
+  for (std::size_t i = 0; i + 2 < index.size(); i += 3) {
+    const ClothFrame::Piece piece{index[i], {index[i + 1], index[i + 2]}, {}};
+    if (piece.first != static_cast<int>(nodes) || piece.extent[0] < 1 || piece.extent[1] < 1)
+      fail("dataset cloth/pieces is no list of pieces; it may be of another version");
+    nodes += static_cast<std::size_t>(piece.extent[0]) * static_cast<std::size_t>(piece.extent[1]);
+    cloth.pieces.push_back(piece);
+  }
+  cloth.positions = per_node("cloth/positions", 3 * nodes);
+  cloth.membrane = per_node("cloth/membrane", nodes);
+  cloth.bending = per_node("cloth/bending", nodes);
+  cloth.total = per_node("cloth/total", nodes);
+  const auto cells = values<int>("cloth/cells", H5T_NATIVE_INT);
+  const auto piece = values<int>("cloth/piece", H5T_NATIVE_INT);
+  for (const int p : piece)
+    if (p < 0 || p >= static_cast<int>(cloth.pieces.size()))
+      fail(fmt::format("dataset cloth/piece names piece {} of {}", p, cloth.pieces.size()));
+  if (cells.size() != 4 * piece.size() && cells.size() != 2 * piece.size())
+    fail("dataset cloth/cells does not fit cloth/piece");
+  mark_closed(cloth.pieces, cells, piece);
+  return cloth;
+}
+
+std::array<int, 3> FrameReader::cells() const {
+  const std::vector<hsize_t> n = extent("fluid/solid");
+  if (n.size() != 3) fail(fmt::format("dataset fluid/solid has {} axes for 3", n.size()));
+  return {static_cast<int>(n[2]), static_cast<int>(n[1]), static_cast<int>(n[0])};
+}
+
+WaterFrame FrameReader::water() const {
+  WaterFrame water;
+  water.cells = cells();
+  water.solid = values<float>("fluid/solid", H5T_NATIVE_FLOAT);
+  water.velocity = values<float>("fluid/velocity", H5T_NATIVE_FLOAT);
+  if (water.velocity.size() != 3 * water.solid.size())
+    fail(fmt::format("dataset fluid/velocity has {} values for {}", water.velocity.size(),
+                     3 * water.solid.size()));
+  return water;
+}
+
+}  // namespace washtub

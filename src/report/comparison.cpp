@@ -1,0 +1,201 @@
+#include "report/comparison.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "measure/cycles.hpp"
+#include "report/settings.hpp"
+
+namespace washtub {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+/// The last parts of a path, "fast/wash" for two of them.
+std::string last_parts(const std::string& directory, int count) {
+  fs::path path = fs::absolute(directory).lexically_normal(), result;
+  if (!path.has_filename()) path = path.parent_path();
+  for (; count > 0 && path.has_filename(); --count, path = path.parent_path())
+    result = result.empty() ? path.filename() : path.filename() / result;
+  return result.empty() ? directory : result.string();
+}
+
+bool all_differ(const std::vector<RunRecord>& runs) {
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (runs[i].name == runs[j].name) return false;
+  return true;
+}
+
+const RunQuantity* named(const std::vector<RunQuantity>& quantities, const std::string& name) {
+  for (const RunQuantity& quantity : quantities)
+    if (quantity.name == name) return &quantity;
+  return nullptr;
+}
+
+std::optional<AgainstFirst> against(const std::optional<RunQuantity>& first,
+                                    const std::optional<RunQuantity>& other) {
+  if (!first || !other || first->mean == 0) return {};
+  AgainstFirst result;
+  result.difference = other->mean - first->mean;
+  result.percent = 100 * result.difference / std::abs(first->mean);
+  const double half_width = welch(first->batches, other->batches).half_width;
+  if (std::isfinite(half_width)) result.half_width = half_width;
+  return result;
+}
+
+/// Rows in the order in which the runs name their quantities, the first run's first.
+std::vector<CompareRow> rows_of(const std::vector<std::vector<RunQuantity>>& runs) {
+  std::vector<CompareRow> rows;
+  for (const auto& quantities : runs)
+    for (const RunQuantity& quantity : quantities) {
+      const auto known = [&](const CompareRow& row) { return row.name == quantity.name; };
+      if (std::any_of(rows.begin(), rows.end(), known)) continue;
+      CompareRow row{quantity.name, quantity.unit, {}, {}};
+      for (const auto& other : runs) {
+        const RunQuantity* value = named(other, row.name);
+        row.values.push_back(value ? std::optional(*value) : std::nullopt);
+        row.against.push_back(
+            row.values.size() == 1 ? std::nullopt : against(row.values.front(), row.values.back()));
+      }
+      rows.push_back(std::move(row));
+    }
+  return rows;
+}
+
+/// Two digits, and none after the point from ten on.
+std::string number(double percent, bool with_sign = false) {
+  const std::string text = std::abs(percent) < 9.95 ? fmt::format("{:.2g}", std::abs(percent))
+                                                    : fmt::format("{:.0f}", std::abs(percent));
+  return percent < 0 ? '-' + text : with_sign ? '+' + text : text;
+}
+
+/// "-3 % to +8 %", of the first run's value; for how much lower it is, the other way round.
+std::string interval_text(const AgainstFirst& difference, bool with_sign) {
+  const double width =
+      *difference.half_width * std::abs(difference.percent / difference.difference);
+  const double middle = with_sign ? difference.percent : std::abs(difference.percent);
+  return fmt::format("{} % to {} %", number(middle - width, with_sign),
+                     number(middle + width, with_sign));
+}
+
+/// What keeps a difference from being told: the run whose window is too short.
+std::string reason(const CompareRow& row, std::size_t run, const std::vector<std::string>& names) {
+  const auto few = [&](std::size_t i) { return row.values[i]->batches.size() < 2; };
+  if (few(0) && few(run))
+    return fmt::format("{} and {} have it for fewer than two whole cycles", names[0], names[run]);
+  return fmt::format("{} has it for fewer than two whole cycles", names[few(0) ? 0 : run]);
+}
+
+std::string difference_sentence(const CompareRow& row, std::size_t run,
+                                const std::vector<std::string>& names) {
+  const auto& values = row.values;
+  const std::string &first = names[0], &other = names[run];
+  if (!values[0] && !values[run]) return "";
+  if (!values[0] || !values[run])
+    return fmt::format("{}: {} does not have it.", row.name, values[0] ? other : first);
+  if (!row.against[run])
+    return fmt::format("{}: {:.4g} {} in {}, 0 in {}.", row.name, values[run]->mean, row.unit,
+                       other, first);
+  const AgainstFirst& difference = *row.against[run];
+  const char* way = difference.percent > 0 ? "higher" : "lower";
+  if (!difference.significant())
+    return fmt::format(
+        "{}: {} % {} in {} than in {}, but whether that is chance cannot be "
+        "told, {}.",
+        row.name, number(std::abs(difference.percent)), way, other, first, reason(row, run, names));
+  if (difference.difference == 0)
+    return fmt::format("{}: the same in {} and {}.", row.name, other, first);
+  if (!*difference.significant())
+    return fmt::format("{}: no significant difference of {} from {} (95 % interval {}).", row.name,
+                       other, first, interval_text(difference, true));
+  return fmt::format("{}: {} % {} in {} than in {} (95 % interval {}).", row.name,
+                     number(std::abs(difference.percent)), way, other, first,
+                     interval_text(difference, false));
+}
+
+constexpr const char* closing[] = {
+    "A difference is called significant where its 95 % interval leaves out zero: about one in "
+    "twenty such differences appears by chance where there is none.",
+    "The intervals come from the cycles of one run each. They do not tell how much the result "
+    "depends on where the cloth starts; runs with other seeds do."};
+
+}  // namespace
+
+std::optional<bool> AgainstFirst::significant() const {
+  if (!half_width) return {};
+  return std::abs(difference) > *half_width;
+}
+
+void prepare_comparison(std::vector<RunRecord>& runs) {
+  if (runs.size() < 2)
+    throw InputError("a comparison needs two directories or more, as in washtub compare A B");
+  for (std::size_t i = 1; i < runs.size(); ++i) {
+    std::error_code error;
+    for (std::size_t j = 0; j < i; ++j)
+      if (fs::equivalent(runs[i].directory, runs[j].directory, error))
+        throw InputError(fmt::format("{} and {} are the same directory; name each run once",
+                                     runs[j].directory, runs[i].directory));
+    if (dimension(runs[i]) != dimension(runs[0]))
+      throw InputError(fmt::format(
+          "{} is {}-D and {} is {}-D: their quantities have different units; compare "
+          "runs of one dimension",
+          runs[0].directory, dimension(runs[0]), runs[i].directory, dimension(runs[i])));
+  }
+  for (int parts = 2; !all_differ(runs) && parts < 100; ++parts)
+    for (RunRecord& run : runs) run.name = last_parts(run.directory, parts);
+}
+
+RunComparison compare(const std::vector<RunRecord>& runs) {
+  RunComparison result;
+  std::vector<std::vector<RunQuantity>> quantities;
+  for (const RunRecord& run : runs) {
+    result.names.push_back(run.name);
+    quantities.push_back(find_quantities(run));
+  }
+  result.rows = rows_of(quantities);
+  result.sentences = differing_settings(runs);
+  for (std::size_t run = 1; run < runs.size(); ++run)
+    for (const CompareRow& row : result.rows) {
+      std::string sentence = difference_sentence(row, run, result.names);
+      if (!sentence.empty()) result.sentences.push_back(std::move(sentence));
+    }
+  for (const RunRecord& run : runs)
+    if (outcome(run) != "complete")
+      result.sentences.push_back(
+          fmt::format("{} did not reach its end: {}.", run.name, outcome(run)));
+  if (result.rows.empty()) result.sentences.push_back("The runs have no statistics to compare.");
+  result.sentences.insert(result.sentences.end(), std::begin(closing), std::end(closing));
+  return result;
+}
+
+Json to_json(const RunComparison& comparison) {
+  Json rows = Json::array();
+  for (const CompareRow& row : comparison.rows) {
+    Json values = Json::array(), differences = Json::array();
+    for (const auto& value : row.values) values.push_back(value ? to_json(*value) : Json());
+    for (const auto& d : row.against) {
+      differences.push_back(nullptr);
+      if (!d) continue;
+      const auto significant = d->significant();
+      differences.back() = {{"difference", d->difference},
+                            {"half_width", d->half_width ? Json(*d->half_width) : Json()},
+                            {"percent", d->percent},
+                            {"significant", significant ? Json(*significant) : Json()}};
+    }
+    rows.push_back({{"name", row.name},
+                    {"unit", row.unit},
+                    {"values", values},
+                    {"against_first", differences}});
+  }
+  return {{"rows", rows}, {"sentences", comparison.sentences}};
+}
+
+}  // namespace washtub

@@ -1,0 +1,109 @@
+#include "report/frame_set.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+
+namespace washtub {
+namespace {
+
+std::vector<float> as_float(const std::vector<double>& values) {
+  return {values.begin(), values.end()};
+}
+
+/// From x y z per node to all x, all y, all z.
+std::vector<float> by_axis(const std::vector<double>& positions) {
+  const std::size_t nodes = positions.size() / 3;
+  std::vector<float> out;
+  out.reserve(positions.size());
+  for (std::size_t d = 0; d < 3; ++d)
+    for (std::size_t n = 0; n < nodes; ++n) out.push_back(static_cast<float>(positions[3 * n + d]));
+  return out;
+}
+
+/// @throws InputError if the frame is not shaped like those before it
+void check_shape(const FrameSet& set, const std::string& path, const ClothFrame& cloth,
+                 const std::array<int, 3>& cells, const std::vector<SolidAngle>& solids) {
+  if (set.size() == 0) return;
+  if (cells != set.cells)
+    throw InputError(fmt::format("{}: has {} cells where the first frame has {}", path,
+                                 fmt::join(cells, " x "), fmt::join(set.cells, " x ")));
+  if (cloth.pieces != set.pieces)
+    throw InputError(fmt::format("{}: its cloth is not that of the first frame", path));
+  for (const SolidAngle& solid : solids)
+    if (!set.angles.contains(solid.name))
+      throw InputError(fmt::format("{}: its solids are not those of the first frame", path));
+  if (solids.size() != set.angles.size())
+    throw InputError(fmt::format("{}: its solids are not those of the first frame", path));
+}
+
+void add(FrameSet& set, int number) {
+  const std::string path = frame_path(set.directory, number);
+  const FrameReader file(path);
+  const double time = file.time();
+  const std::vector<SolidAngle> solids = file.solids();
+  const ClothFrame cloth = file.cloth();
+  const std::array<int, 3> cells = file.cells();
+  check_shape(set, path, cloth, cells, solids);
+  set.cells = cells;
+  set.pieces = cloth.pieces;
+  set.nodes = cloth.total.size();
+  set.numbers.push_back(number);
+  set.times.push_back(time);
+  for (const SolidAngle& solid : solids) set.angles[solid.name].push_back(solid.angle);
+  set.positions.push_back(by_axis(cloth.positions));
+  set.membrane.push_back(as_float(cloth.membrane));
+  set.bending.push_back(as_float(cloth.bending));
+  set.total.push_back(as_float(cloth.total));
+}
+
+}  // namespace
+
+std::string frame_list(const std::vector<int>& numbers) {
+  constexpr std::size_t most = 5;
+  const std::vector<int> first(numbers.begin(),
+                               numbers.begin() + static_cast<long>(std::min(most, numbers.size())));
+  std::string text =
+      fmt::format("{} {}", numbers.size() == 1 ? "frame" : "frames", fmt::join(first, ", "));
+  if (numbers.size() > most) text += fmt::format(" and {} more", numbers.size() - most);
+  return text;
+}
+
+FrameSet read_frames(const std::string& directory) {
+  FrameSet set;
+  set.directory = directory;
+  const FrameFiles files = frame_files(directory);
+  std::vector<int> bad;
+  std::string first_reason;
+  for (const int number : files.numbers) try {
+      add(set, number);
+    } catch (const InputError& error) {
+      bad.push_back(number);
+      if (first_reason.empty()) first_reason = error.what();
+    }
+  if (!bad.empty())
+    set.notes.push_back(fmt::format("Left out, {}: {}.", frame_list(bad), first_reason));
+  if (!files.gaps.empty()) set.notes.push_back(fmt::format("Missing: {}.", frame_list(files.gaps)));
+  return set;
+}
+
+std::array<Vec<3>, 2> cloth_span(const FrameSet& frames, int every) {
+  std::array<Vec<3>, 2> span = {Vec<3>::Zero(), Vec<3>::Zero()};
+  bool first = true;
+  for (std::size_t f = 0; f < frames.size(); f += static_cast<std::size_t>(every))
+    for (std::size_t n = 0; n < frames.nodes; ++n) {
+      Vec<3> x;
+      for (int d = 0; d < 3; ++d)
+        x[d] = frames.positions[f][static_cast<std::size_t>(d) * frames.nodes + n];
+      if (!x.allFinite()) continue;
+      span = first ? std::array<Vec<3>, 2>{x, x}
+                   : std::array<Vec<3>, 2>{span[0].cwiseMin(x), span[1].cwiseMax(x)};
+      first = false;
+    }
+  return span;
+}
+
+}  // namespace washtub

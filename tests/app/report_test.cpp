@@ -1,0 +1,76 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "program.hpp"
+
+using testing::HasSubstr;
+using washtub::testing::Outcome;
+using washtub::testing::Program;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Two samples of a small plane wash.
+std::string short_run(const std::string& more = "") {
+  return "run " + fs::absolute("cases/wash-2d/case.toml").string() +
+         " -n 1 -o out --set domain.cells=32 --set time.end='0.02 s' --set output.every='0.01 s'"
+         " --set output.frames='0.01 s' --set output.window='[\"0 s\", \"0.02 s\"]' " +
+         more;
+}
+
+std::string text(const fs::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+class Report : public Program {};
+
+TEST_F(Report, NeedsARun) {
+  refuses("report nowhere", "nowhere: no such directory; washtub run -o nowhere CASE makes one");
+  fs::create_directories(folder / "empty");
+  EXPECT_EQ(run("report empty").text, "washtub: empty: is empty; it has no results of a run\n");
+  std::ofstream(folder / "empty" / "notes.txt") << "x";
+  const Outcome outcome = run("report empty");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.text, HasSubstr("holds none of case.toml, history.csv and frames"));
+}
+
+TEST_F(Report, RefusesWrongSizes) {
+  for (const std::string size : {"wide", "20 XB", "-3 MB", "0", "nan"})
+    refuses("report out --max-size '" + size + "'",
+            "--max-size \"" + size +
+                "\": expected a size such as \"20 MB\" or \"500 kB\", or a number of MB");
+}
+
+TEST_F(Report, EndsARun) {
+  const Outcome outcome = run(short_run());
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_THAT(outcome.text, HasSubstr("out/report.html: "));
+  EXPECT_THAT(text(folder / "out" / "log.txt"), HasSubstr("out/report.html: "));
+  EXPECT_THAT(text(folder / "out" / "report.html"), HasSubstr("id=\"washtub-data\""));
+  const Outcome again = run(short_run("--force --no-report"));
+  EXPECT_EQ(again.code, 0) << again.text;
+  EXPECT_FALSE(fs::exists(folder / "out" / "report.html")) << "that of the earlier run";
+  EXPECT_EQ(run("report out -o page.html --max-size '1.5 MB'").code, 0);
+  EXPECT_LE(fs::file_size(folder / "page.html"), 1500000U);
+  EXPECT_THAT(run("report out --max-size 1kB").text, HasSubstr("the smallest possible page has"));
+}
+
+TEST_F(Report, FollowsAFailedRun) {
+  const Outcome outcome = run(short_run("--set coupling.strain_limit=1e-9"));
+  EXPECT_EQ(outcome.code, 1) << outcome.text;
+  EXPECT_THAT(text(folder / "out" / "report.html"), HasSubstr("id=\"washtub-data\""));
+}
+
+TEST_F(Report, DoesNotSpoilARun) {
+  fs::create_directories(folder / "out" / "report.html.part" / "in-the-way");
+  const Outcome outcome = run(short_run("--force"));
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_THAT(outcome.text, HasSubstr("no report: cannot write out/report.html"));
+  EXPECT_THAT(text(folder / "out" / "log.txt"), HasSubstr("no report: "));
+}

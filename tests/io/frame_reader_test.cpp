@@ -1,0 +1,116 @@
+#include "io/frame_reader.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "base/error.hpp"
+#include "scratch.hpp"
+
+namespace washtub {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::ThrowsMessage;
+
+/// One frame of 2 x 1 x 1 cells, a cylinder of cloth with 3 x 2 nodes and a flat piece with 2 x 2.
+struct Written {
+  Scratch dir;
+  std::string path = frame_path(dir.path(), 0);
+
+  Written() {
+    FrameWriter writer(dir.path(), Parallel(MPI_COMM_SELF), 3, {{2, 1, 1}, {0, 0, 0}, {1, 1, 1}});
+    const std::vector<float> u = {1, 2, 3, 4, 5, 6}, p = {7, 8}, solid = {0, 0.25};
+    std::vector<double> x, s = {1, 2, 3, 4, 5, 6};
+    for (int i = 0; i < 18; ++i) x.push_back(i);
+    const std::span<const double> places(x), stress(s);
+    Frame frame{1.5, {{0, 0, 0}, {2, 1, 1}, u, p, solid}, {}, {{"the tub", 0.5}}};
+    frame.cloth.push_back({{3, 2}, places, stress, stress, stress, {true, false}});
+    frame.cloth.push_back(
+        {{2, 2}, places.first(12), stress.first(4), stress.first(4), stress.first(4), {}});
+    writer.write(frame);
+  }
+  void expect_failure(const std::string& what) const {
+    const auto read = [&] {
+      const FrameReader file(path);
+      file.time();
+      file.cloth();
+      file.water();
+    };
+    EXPECT_THAT(read, ThrowsMessage<InputError>(HasSubstr(path + ": " + what)));
+  }
+  void change(const std::function<void(hid_t)>& what) const {
+    const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    what(file);
+    H5Fclose(file);
+  }
+};
+
+TEST(FrameReader, GivesBackWhatWasWritten) {
+  const Written w;
+  const FrameReader file(w.path);
+  EXPECT_EQ(file.time(), 1.5);
+  ASSERT_EQ(file.solids().size(), 1U);
+  EXPECT_EQ(file.solids()[0].name, "the tub");
+  EXPECT_EQ(file.solids()[0].angle, 0.5);
+  const WaterFrame water = file.water();
+  EXPECT_EQ(water.cells, (std::array{2, 1, 1}));
+  EXPECT_THAT(water.velocity, ElementsAre(1, 2, 3, 4, 5, 6));
+  EXPECT_THAT(water.solid, ElementsAre(0, 0.25));
+}
+
+TEST(FrameReader, GivesBackTheCloth) {
+  const ClothFrame cloth = FrameReader(Written().path).cloth();
+  const std::array<bool, 2> round = {true, false}, flat = {false, false};
+  EXPECT_THAT(cloth.pieces,
+              ElementsAre(ClothFrame::Piece{0, {3, 2}, round}, ClothFrame::Piece{6, {2, 2}, flat}));
+  EXPECT_EQ(cloth.positions.size(), 30U);
+  EXPECT_THAT(cloth.total, ElementsAre(1, 2, 3, 4, 5, 6, 1, 2, 3, 4));
+}
+
+TEST(FrameReader, HalfAFileIsNone) {
+  const Written w;
+  const auto size = std::filesystem::file_size(w.path);
+  for (const auto kept : {size / 2, size - 1, std::uintmax_t{100}, std::uintmax_t{0}}) {
+    std::filesystem::resize_file(w.path, kept);
+    w.expect_failure("is no whole frame (");
+    EXPECT_THAT([&] { FrameReader{w.path}; },
+                ThrowsMessage<InputError>(Not(HasSubstr("HDF5 failed"))));
+  }
+}
+
+TEST(FrameReader, NamesWhatIsMissing) {
+  const Written w;
+  w.change([](hid_t file) { H5Ldelete(file, "fluid/velocity", H5P_DEFAULT); });
+  w.expect_failure("has no dataset fluid/velocity; it may be of another version");
+  w.change([](hid_t file) { H5Ldelete(file, "cloth/pieces", H5P_DEFAULT); });
+  w.expect_failure("has no dataset cloth/pieces");
+  w.change([](hid_t file) { H5Adelete(file, "time [s]"); });
+  w.expect_failure("has no \"time [s]\"; it may be of another version");
+}
+
+TEST(FrameReader, NamesAWrongShape) {
+  const Written w;
+  w.change([](hid_t file) {
+    H5Ldelete(file, "cloth/total", H5P_DEFAULT);
+    H5Lcreate_hard(file, "cloth/positions", file, "cloth/total", H5P_DEFAULT, H5P_DEFAULT);
+  });
+  w.expect_failure("dataset cloth/total has 30 values for 10");
+}
+
+TEST(FrameFiles, AreListedWithTheirGaps) {
+  const Scratch dir;
+  EXPECT_TRUE(frame_files(dir.path()).numbers.empty());
+  std::filesystem::create_directory(dir / "frames");
+  for (const int n : {4, 0, 1}) std::ofstream(frame_path(dir.path(), n)) << "x";
+  std::ofstream(dir / "frames/frame_000007.h5.part") << "x";
+  std::ofstream(dir / "frames/other.h5") << "x";
+  EXPECT_THAT(frame_files(dir.path()).numbers, ElementsAre(0, 1, 4));
+  EXPECT_THAT(frame_files(dir.path()).gaps, ElementsAre(2, 3));
+}
+
+}  // namespace
+}  // namespace washtub

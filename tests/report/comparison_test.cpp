@@ -1,0 +1,143 @@
+#include "report/comparison.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "base/error.hpp"
+#include "measure/cycles.hpp"
+#include "report/run_folder.hpp"
+#include "report/settings.hpp"
+
+namespace washtub {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using testing::RunFolder;
+using ::testing::ThrowsMessage;
+
+/// Stress of `level` plus -scatter, 0, +scatter in the three cycles.
+RunFolder::Signals steps(double level, double scatter) {
+  return {.stress = [=](double t) { return level + scatter * (std::ceil(t - 1e-6) - 3); }};
+}
+
+const CompareRow& named(const RunComparison& comparison, const std::string& name) {
+  for (const CompareRow& row : comparison.rows)
+    if (row.name == name) return row;
+  throw std::out_of_range(name);
+}
+
+TEST(Compare, WelchOnTheCycles) {
+  const RunFolder folder;
+  const std::vector<RunRecord> runs = {folder.run("A", steps(100, 2)),
+                                       folder.run("B", steps(112, 1)),
+                                       folder.run("C", steps(101, 5))};
+  const RunComparison comparison = compare(runs);
+  const CompareRow& stress = named(comparison, "stress");
+  const std::vector<double> a = {98, 100, 102}, b = {111, 112, 113};
+  EXPECT_FALSE(stress.against[0]);
+  EXPECT_NEAR(stress.against[1]->percent, 12, 1e-9);
+  EXPECT_NEAR(*stress.against[1]->half_width, welch(a, b).half_width, 1e-9);
+  EXPECT_EQ(stress.against[1]->significant(), true);
+  EXPECT_EQ(stress.against[2]->significant(), false);
+  const double width = welch(a, b).half_width;
+  EXPECT_THAT(comparison.sentences,
+              Contains(fmt::format("stress: 12 % higher in B than in A (95 % interval {:.2g} % to "
+                                   "{:.0f} %).",
+                                   12 - width, 12 + width)));
+  EXPECT_THAT(
+      comparison.sentences,
+      Contains(HasSubstr("stress: no significant difference of C from A (95 % interval -")));
+  EXPECT_THAT(comparison.sentences, Contains(HasSubstr("one in twenty")));
+  const auto json = to_json(comparison);
+  EXPECT_EQ(json["rows"][0]["name"], "stress");
+  EXPECT_TRUE(json["rows"][0]["against_first"][0].is_null());
+  EXPECT_EQ(json["rows"][0]["against_first"][1]["significant"], true);
+}
+
+TEST(Compare, LowerReadsAsHowMuchLower) {
+  const RunFolder folder;
+  const auto comparison =
+      compare({folder.run("A", steps(100, 0.1)), folder.run("B", steps(80, 0.1))});
+  EXPECT_THAT(comparison.sentences,
+              Contains("stress: 20 % lower in B than in A (95 % interval 20 % to 20 %)."));
+}
+
+TEST(Compare, OneCycleCannotTell) {
+  const RunFolder folder;
+  const RunRecord a = folder.run("A", steps(100, 1));
+  folder.run("B", steps(150, 1));
+  folder.write("B/history.csv", RunFolder::history(steps(150, 1), 2.5));
+  const auto comparison = compare({a, read_run(folder.path("B"))});
+  EXPECT_FALSE(named(comparison, "stress").against[1]->significant());
+  EXPECT_THAT(comparison.sentences,
+              Contains(HasSubstr("cannot be told, B has it for fewer than two whole cycles")));
+  EXPECT_TRUE(to_json(comparison)["rows"][0]["against_first"][1]["significant"].is_null());
+}
+
+TEST(Compare, RunsThatDidNotReachTheirEnd) {
+  const RunFolder folder;
+  const RunRecord a = folder.run("A", {});
+  folder.run("B", {});
+  folder.write("B/summary.json", R"({"run": {"outcome": "stopped"}})");
+  EXPECT_THAT(compare({a, read_run(folder.path("B"))}).sentences,
+              Contains("B did not reach its end: stopped."));
+}
+
+TEST(Compare, WhatOnlyOneRunHas) {
+  const RunFolder folder;
+  const RunRecord a = folder.run("A", steps(100, 1));
+  std::string text = RunFolder::case_text();
+  const auto begin = text.find("[[cloth]]");
+  text.erase(begin, text.find("[time]") - begin);
+  const auto comparison = compare({a, folder.run("B", {}, text)});
+  EXPECT_FALSE(named(comparison, "stress").values[1]);
+  EXPECT_THAT(comparison.sentences, Contains("stress: B does not have it."));
+  EXPECT_THAT(comparison.sentences, Contains("agitator rms torque: the same in B and A."));
+}
+
+TEST(Settings, KeysThatDiffer) {
+  const RunFolder folder;
+  std::string other = RunFolder::case_text();
+  other.replace(other.find("1 Pa s"), 6, "2 Pa s");
+  other.replace(other.find("made up"), 7, "another");
+  other.replace(other.find("[[cloth]]"), 9, "[[cloth]]\ncount = 3");
+  const std::vector<RunRecord> runs = {folder.run("A", {}), folder.run("B", {}, other),
+                                       folder.run("C", {})};
+  EXPECT_THAT(differing_settings(runs),
+              ElementsAre("fluid.viscosity: \"1 Pa s\" in A and C, \"2 Pa s\" in B.",
+                          "cloth.count: not set in A and C, 3 in B."));
+  EXPECT_THAT(differing_settings({runs[0], runs[2]}),
+              ElementsAre("The runs have the same settings."));
+}
+
+TEST(PrepareComparison, Refusals) {
+  const RunFolder folder;
+  std::vector<RunRecord> one = {folder.run("A", {})};
+  EXPECT_THAT([&] { prepare_comparison(one); },
+              ThrowsMessage<InputError>(HasSubstr("needs two directories or more")));
+  std::vector<RunRecord> twice = {one[0], read_run(folder.path("A/."))};
+  EXPECT_THAT([&] { prepare_comparison(twice); },
+              ThrowsMessage<InputError>(HasSubstr("are the same directory")));
+  std::vector<RunRecord> mixed = {one[0], one[0]};
+  folder.run("flat", {});
+  mixed[1] = read_run(folder.path("flat"));
+  mixed[1].definition->dimension = 2;
+  EXPECT_THAT([&] { prepare_comparison(mixed); },
+              ThrowsMessage<InputError>(HasSubstr("A is 3-D and ")));
+}
+
+TEST(PrepareComparison, NamesAreTold) {
+  const RunFolder folder;
+  std::vector<RunRecord> runs = {folder.run("slow/wash", {}), folder.run("fast/wash", {})};
+  prepare_comparison(runs);
+  EXPECT_EQ(runs[0].name, "slow/wash");
+  EXPECT_EQ(runs[1].name, "fast/wash");
+}
+
+}  // namespace
+}  // namespace washtub

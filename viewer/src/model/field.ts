@@ -1,0 +1,105 @@
+import type { Companded, FieldIndex, RunIndex } from './bundle';
+import { DataError, toInt8, type ChunkReader } from './decode';
+import { frameAt } from './moment';
+
+/** The water's frames as they came: companded eight-bit numbers on a lattice of cells. */
+export interface Field {
+  index: FieldIndex;
+  axes: 2 | 3;
+  cells: number; // of one frame
+  times: number[]; // of the frames that carry fields [s]
+  velocity: Int8Array; // [frame][axis][cell]
+  vorticity: Int8Array | null; // [frame][cell], 2-D only
+  solid: Uint8Array; // [frame][cell], 255 where all solid
+}
+
+export type FieldQuantity = 'speed' | 'vorticity' | 'x' | 'y' | 'z';
+
+export async function loadField(index: RunIndex, read: ChunkReader): Promise<Field | null> {
+  const fields = index.frames.fields;
+  if (!fields || fields.frames.length === 0) return null;
+  const field = {
+    index: fields,
+    axes: index.dimension,
+    cells: fields.cells[0] * fields.cells[1] * fields.cells[2],
+    times: fields.frames.map((frame) => index.frames.times[frame] ?? 0),
+    velocity: toInt8(await read(fields.velocity.values)),
+    vorticity: fields.vorticity ? toInt8(await read(fields.vorticity.values)) : null,
+    solid: await read(fields.solid),
+  };
+  const values = fields.frames.length * field.cells;
+  if (field.velocity.length < values * field.axes || field.solid.length < values)
+    throw new DataError('The data of this page are damaged: the water has not all its frames.');
+  return field;
+}
+
+/** Number of the field's frame that is nearest to `time` and not later. */
+export function fieldFrame(field: Field, time: number): number {
+  return frameAt(field.times, time);
+}
+
+/** Table of the values that int8 numbers stand for; index by q + 128. */
+export function expansion(largest: number): Float32Array {
+  return Float32Array.from({ length: 256 }, (_, i) => {
+    const q = (i - 128) / 127;
+    return Math.sign(q) * largest * q * q;
+  });
+}
+
+/** Velocity in the cell (i, j, k) of a field's frame [m/s]. */
+export function velocityAt(
+  field: Field,
+  frame: number,
+  [i, j, k]: readonly [number, number, number],
+): number[] {
+  const [nx, ny] = field.index.cells;
+  const cell = i + nx * (j + ny * k);
+  const table = expansion(field.index.velocity.largest[frame] ?? 0);
+  return Array.from(
+    { length: field.axes },
+    (_, axis) => table[128 + field.velocity[(frame * field.axes + axis) * field.cells + cell]!]!,
+  );
+}
+
+/** Quantities that the field can show. */
+export function quantitiesOf(field: Field): FieldQuantity[] {
+  return field.axes === 2
+    ? [...(field.vorticity ? (['vorticity'] as const) : []), 'speed', 'x', 'y']
+    : ['speed', 'x', 'y', 'z'];
+}
+
+/** Writes the values of a quantity in all cells of a field's frame into `out` [m/s or 1/s]. */
+export function quantityOf(
+  field: Field,
+  quantity: FieldQuantity,
+  frame: number,
+  out: Float32Array,
+): void {
+  if (quantity === 'vorticity') return vorticityOf(field, frame, out);
+  const table = expansion(field.index.velocity.largest[frame] ?? 0);
+  if (quantity === 'speed') return speedOf(field, frame, table, out);
+  const axis = { x: 0, y: 1, z: 2 }[quantity];
+  expand(field.velocity, (frame * field.axes + axis) * field.cells, table, out);
+}
+
+function vorticityOf(field: Field, frame: number, out: Float32Array): void {
+  if (!field.vorticity) return void out.fill(0);
+  const { largest } = field.index.vorticity as Companded;
+  expand(field.vorticity, frame * field.cells, expansion(largest[frame] ?? 0), out);
+}
+
+function expand(values: Int8Array, begin: number, table: Float32Array, out: Float32Array): void {
+  for (let cell = 0; cell < out.length; cell++) out[cell] = table[128 + values[begin + cell]!]!;
+}
+
+function speedOf(field: Field, frame: number, table: Float32Array, out: Float32Array): void {
+  const begin = frame * field.axes * field.cells;
+  for (let cell = 0; cell < field.cells; cell++) {
+    let sum = 0;
+    for (let axis = 0; axis < field.axes; axis++) {
+      const value = table[128 + field.velocity[begin + axis * field.cells + cell]!]!;
+      sum += value * value;
+    }
+    out[cell] = Math.sqrt(sum);
+  }
+}

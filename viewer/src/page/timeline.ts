@@ -1,0 +1,82 @@
+import type { Clock } from '../model/clock';
+import { timeText } from '../scene/view';
+import { button, make, select } from './dom';
+
+/** Seconds of the run per second of the reader. */
+export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4] as const;
+
+/** Play, step, scrub, speed, and the time; `period` of the stroke [s], 0 where there is none. */
+export function buildTimeline(clock: Clock, period: number): HTMLElement {
+  const play = button('▶', 'Play (space)', () => togglePlaying(clock));
+  play.classList.add('play');
+  const scrub = scrubber(clock);
+  const readout = make('output', 'time');
+  const speed = select(
+    'speed',
+    SPEEDS.map((value) => [String(value), `${value}×`] as const),
+    (value) => clock.set({ speed: Number(value) }),
+  );
+  clock.subscribe(({ time, playing, speed: now }) => {
+    const name = playing ? 'Pause (space)' : 'Play (space)';
+    play.textContent = playing ? '❚❚' : '▶';
+    play.title = name;
+    play.setAttribute('aria-label', name);
+    scrub.value = String(time);
+    scrub.setAttribute('aria-valuetext', timeText(time, period));
+    readout.textContent = timeText(time, period);
+    speed.select.value = String(now);
+  });
+  const element = make(
+    'div',
+    'timeline',
+    play,
+    button('|◂', 'First frame (Home)', () => clock.set({ time: clock.begin, playing: false })),
+    button('◂', 'Frame before (left arrow)', () => clock.step(-1)),
+    button('▸', 'Next frame (right arrow)', () => clock.step(1)),
+    scrub,
+    readout,
+    speed.element,
+  );
+  element.hidden = clock.times.length < 2;
+  return element;
+}
+
+function scrubber(clock: Clock): HTMLInputElement {
+  const scrub = document.createElement('input');
+  Object.assign(scrub, { type: 'range', min: clock.begin, max: clock.end, step: 'any' });
+  scrub.className = 'scrub';
+  scrub.setAttribute('aria-label', 'Time');
+  scrub.addEventListener('input', () => clock.set({ time: Number(scrub.value), playing: false }));
+  return scrub;
+}
+
+/** Plays or pauses; at the end it begins anew. */
+export function togglePlaying(clock: Clock): void {
+  const { time, playing } = clock.state;
+  const over = !playing && time >= clock.end - 1e-9;
+  clock.set({ playing: !playing, ...(over ? { time: clock.begin } : {}) });
+}
+
+/** Goes to the next speed, or the one before. */
+export function changeSpeed(clock: Clock, by: 1 | -1): void {
+  const now = SPEEDS.findIndex((value) => value >= clock.state.speed);
+  const next = Math.min(Math.max(now + by, 0), SPEEDS.length - 1);
+  clock.set({ speed: SPEEDS[next]! });
+}
+
+/** Lets the clock run while it plays, picture by picture of the screen. */
+export function keepTime(clock: Clock): void {
+  let last: number | null = null;
+  const turn = (now: number) => {
+    if (!clock.state.playing) return void (last = null);
+    if (last !== null) clock.advance(Math.min((now - last) / 1000, 0.25));
+    last = now;
+    requestAnimationFrame(turn);
+  };
+  clock.subscribe(({ playing }) => {
+    if (playing && last === null) {
+      last = performance.now();
+      requestAnimationFrame(turn);
+    }
+  });
+}

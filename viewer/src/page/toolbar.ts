@@ -1,0 +1,127 @@
+import type { FieldQuantity } from '../model/field';
+import type { Store } from '../model/store';
+import type { Choices, ClothColour, RangeChoice, Settings, SliceChoice } from '../scene/settings';
+import { button, make, select, slider, tick } from './dom';
+
+/** What the buttons do beyond changing the settings. */
+export interface Actions {
+  reset(): void;
+  side(): void;
+  top(): void;
+  save(): void;
+  keys(): void;
+}
+
+const COLOURS: Record<ClothColour, string> = {
+  piece: 'piece',
+  total: 'total stress',
+  membrane: 'membrane stress',
+  bending: 'bending stress',
+};
+const RANGES: [RangeChoice, string][] = [
+  ['most', '98 % of the run'],
+  ['run', 'whole run'],
+  ['frame', 'this frame'],
+];
+const SLICES: [SliceChoice, string][] = [
+  ['off', 'off'],
+  ['vertical', 'vertical'],
+  ['horizontal', 'horizontal'],
+  ['both', 'both'],
+];
+const QUANTITIES: Record<FieldQuantity, string> = {
+  vorticity: 'vorticity',
+  speed: 'speed',
+  x: 'velocity along x',
+  y: 'velocity along y',
+  z: 'velocity along z',
+};
+
+/** Choices of what the views show. */
+export function buildToolbar(
+  settings: Store<Settings>,
+  choices: Choices,
+  actions: Actions,
+): HTMLElement {
+  return make(
+    'div',
+    'toolbar',
+    ...(choices.cloth ? [clothGroup(settings, choices)] : []),
+    ...(choices.quantities.length > 0 ? [waterGroup(settings, choices)] : []),
+    viewGroup(choices, actions),
+  );
+}
+
+function clothGroup(settings: Store<Settings>, choices: Choices): HTMLElement {
+  const colour = select(
+    'colour by',
+    choices.colours.map((value) => [value, COLOURS[value]] as const),
+    (value) => settings.set({ colour: value }),
+  );
+  const range = select('colours span', RANGES, (value) => settings.set({ range: value }));
+  const trails = select(
+    'trails',
+    choices.trails.map((s) => [String(s), s ? `${Number(s.toPrecision(2))} s` : 'none'] as const),
+    (value) => settings.set({ trails: Number(value) }),
+  );
+  const shown = tick('cloth', (on) => settings.set({ cloth: on }));
+  settings.subscribe((now) => {
+    colour.select.value = now.colour;
+    range.select.value = now.range;
+    range.element.hidden = now.colour === 'piece';
+    trails.select.value = String(now.trails);
+    shown.input.checked = now.cloth;
+  });
+  return make('div', 'group', shown.element, colour.element, range.element, trails.element);
+}
+
+function waterGroup(settings: Store<Settings>, choices: Choices): HTMLElement {
+  const slice = select(
+    choices.plane ? 'water' : 'slice',
+    choices.plane ? [SLICES[0]!, ['horizontal', 'shown']] : SLICES,
+    (value) => settings.set({ slice: value }),
+  );
+  const quantity = select(
+    'shows',
+    choices.quantities.map((value) => [value, QUANTITIES[value]] as const),
+    (value) => settings.set({ quantity: value }),
+  );
+  const angle = slider('angle', [0, 180, 1], (value) => settings.set({ angle: value }));
+  const height = slider('height', [0, 1, 0.005], (value) => settings.set({ height: value }));
+  const arrows = tick('arrows', (on) => settings.set({ arrows: on }));
+  settings.subscribe((now) => {
+    const off = now.slice === 'off';
+    slice.select.value = now.slice;
+    quantity.select.value = now.quantity;
+    angle.input.value = String(now.angle);
+    angle.input.setAttribute('aria-valuetext', `${now.angle} degrees from x`);
+    height.input.value = String(now.height);
+    height.input.setAttribute('aria-valuetext', `${Math.round(100 * now.height)} % of the depth`);
+    arrows.input.checked = now.arrows;
+    quantity.element.hidden = arrows.element.hidden = off;
+    angle.element.hidden = choices.plane || off || now.slice === 'horizontal';
+    height.element.hidden = choices.plane || off || now.slice === 'vertical';
+  });
+  return make(
+    'div',
+    'group',
+    ...[slice, quantity, angle, height, arrows].map(({ element }) => element),
+  );
+}
+
+function viewGroup(choices: Choices, actions: Actions): HTMLElement {
+  const sides = choices.plane
+    ? []
+    : [
+        button('Side', 'View from the side (1)', () => actions.side()),
+        button('Top', 'View from the top (2)', () => actions.top()),
+      ];
+  return make(
+    'div',
+    'group',
+    button('Reset view', 'Reset the view (r)', () => actions.reset()),
+    ...sides,
+    button('Save picture', 'Save the view as a PNG picture (p)', () => actions.save()),
+    button('Keys', 'Show the keys (?)', () => actions.keys()),
+  );
+}

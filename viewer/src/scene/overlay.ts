@@ -1,0 +1,164 @@
+import { ticks, tickText, type Legend } from './legend';
+import type { Theme } from './theme';
+
+/** What is written into a view and into its pictures. */
+export interface Caption {
+  title: string; // the run, where there are several; else empty
+  time: string;
+  notice: string; // such as that the run has ended; mostly empty
+  legends: Legend[];
+}
+
+const FONT = 'system-ui, "Segoe UI", Roboto, "Liberation Sans", sans-serif';
+const MARGIN = 10;
+const BAR = 12;
+/** Views below this width [pixels] get smaller letters. */
+const NARROW = 520;
+
+/** Writes a caption into a picture of `width` by `height`. */
+export function drawCaption(
+  context: CanvasRenderingContext2D,
+  width: number,
+  height: number,
+  caption: Caption,
+  theme: Theme,
+): void {
+  if (width < NARROW) {
+    context.scale(0.8, 0.8);
+    [width, height] = [width / 0.8, height / 0.8];
+  }
+  context.textBaseline = 'middle';
+  drawLabels(context, width, caption, theme);
+  const length = Math.min(0.38 * height, 190);
+  let right = width - MARGIN;
+  for (const legend of [...caption.legends].reverse())
+    right = drawLegend(context, legend, right, height - MARGIN, length, theme) - 6;
+}
+
+function drawLabels(
+  context: CanvasRenderingContext2D,
+  width: number,
+  { title, time, notice }: Caption,
+  theme: Theme,
+): void {
+  let y = MARGIN;
+  for (const [text, font] of [
+    [title, `600 13px ${FONT}`],
+    [time, `13px ${FONT}`],
+    [notice, `italic 12px ${FONT}`],
+  ] as const) {
+    if (!text) continue;
+    context.font = font;
+    const wide = Math.min(context.measureText(text).width, width - 2 * MARGIN - 12);
+    panel(context, MARGIN, y, wide + 12, 20, theme);
+    context.fillText(text, MARGIN + 6, y + 10.5, wide);
+    y += 21;
+  }
+}
+
+function panel(
+  context: CanvasRenderingContext2D,
+  x: number,
+  y: number,
+  width: number,
+  height: number,
+  theme: Theme,
+): void {
+  context.fillStyle = theme.panel;
+  context.fillRect(x, y, width, height);
+  context.fillStyle = theme.text;
+  context.textAlign = 'left';
+}
+
+/** Draws one legend with its lower right corner at (right, bottom); returns its left edge. */
+function drawLegend(
+  context: CanvasRenderingContext2D,
+  legend: Legend,
+  right: number,
+  bottom: number,
+  length: number,
+  theme: Theme,
+): number {
+  context.font = `12px ${FONT}`;
+  const marks = ticks(legend.low, legend.high, 5).map((v) => ({ v, text: tickText(v) }));
+  const scaled = scaledMarks(legend);
+  const wide = widest(context, marks) + 6;
+  const wideScaled = scaled.length > 0 ? Math.max(widest(context, scaled), 14) + 6 : 0;
+  const heading = `${legend.title} [${legend.unit}]`;
+  const inner = Math.max(wideScaled + BAR + wide + 4, context.measureText(heading).width);
+  const left = right - inner - 14;
+  const top = bottom - length - 44;
+  panel(context, left, top, right - left, bottom - top, theme);
+  context.fillText(heading, left + 7, top + 12);
+  const bar = left + 7 + wideScaled;
+  const [high, low] = [top + 36, bottom - 9];
+  paintBar(context, legend, bar, high, low, theme);
+  const place = (v: number) =>
+    low + ((v - legend.low) / (legend.high - legend.low || 1)) * (high - low);
+  context.fillStyle = theme.text;
+  for (const { v, text } of marks) tick(context, text, bar + BAR, place(v), 'left', theme);
+  for (const { v, text } of scaled) tick(context, text, bar, place(v), 'right', theme);
+  context.textAlign = 'left';
+  if (legend.open) context.fillText('and more', bar + BAR + 6, high - 9);
+  if (legend.scaled) {
+    context.textAlign = 'right';
+    context.fillText(legend.scaled.by, bar - 6, high - 9);
+  }
+  return left;
+}
+
+function scaledMarks({ scaled, low, high }: Legend): { v: number; text: string }[] {
+  if (!scaled) return [];
+  return ticks(low * scaled.factor, high * scaled.factor, 4).map((v) => ({
+    v: v / scaled.factor,
+    text: tickText(v),
+  }));
+}
+
+function widest(context: CanvasRenderingContext2D, marks: { text: string }[]): number {
+  return Math.max(...marks.map(({ text }) => context.measureText(text).width));
+}
+
+function paintBar(
+  context: CanvasRenderingContext2D,
+  { map, open }: Legend,
+  x: number,
+  high: number,
+  low: number,
+  theme: Theme,
+): void {
+  const step = (low - high) / 256;
+  for (let i = 0; i < 256; i++) {
+    context.fillStyle = `rgb(${map[3 * i]}, ${map[3 * i + 1]}, ${map[3 * i + 2]})`;
+    context.fillRect(x, low - (i + 1) * step, BAR, step + 0.5);
+  }
+  if (open) {
+    context.fillStyle = `rgb(${map[765]}, ${map[766]}, ${map[767]})`;
+    context.beginPath();
+    context.moveTo(x, high);
+    context.lineTo(x + BAR, high);
+    context.lineTo(x + BAR / 2, high - 9);
+    context.fill();
+  }
+  context.strokeStyle = theme.edge;
+  context.lineWidth = 1;
+  context.strokeRect(x + 0.5, high + 0.5, BAR - 1, low - high - 1);
+}
+
+function tick(
+  context: CanvasRenderingContext2D,
+  text: string,
+  x: number,
+  y: number,
+  side: 'left' | 'right',
+  theme: Theme,
+): void {
+  const out = side === 'left' ? 1 : -1;
+  context.strokeStyle = theme.text;
+  context.beginPath();
+  context.moveTo(x, Math.round(y) + 0.5);
+  context.lineTo(x + 3 * out, Math.round(y) + 0.5);
+  context.stroke();
+  context.textAlign = side;
+  context.fillText(text, x + 6 * out, y);
+}

@@ -1,0 +1,200 @@
+import { describe, expect, it } from 'vitest';
+import type { RunIndex } from '../../src/model/bundle';
+import { parseTable } from '../../src/model/csv';
+import { catalogue } from '../../src/plots/catalogue';
+import { alignedData, csvOf, displayFor } from '../../src/plots/data';
+import { sampleAt } from '../../src/plots/legend';
+import { pieceSection } from '../../src/plots/pieces';
+import type { RunTables } from '../../src/plots/spec';
+
+const washer =
+  'time [s],step,tub torque [N],tub friction torque [N],agitator angle [rad],agitator speed [rad/s],' +
+  'agitator power [W/m],agitator torque [N],agitator friction torque [N],agitator force x [N/m],' +
+  'stress [Pa],membrane stress [Pa],cloth radius [m],cloth height [m],largest strain,tip x [m]';
+
+function index(change: Partial<RunIndex> = {}): RunIndex {
+  const frames = { times: [], angles: {}, positions: null, stress: null, fields: null };
+  const zero = { lower: [0, 0, 0], upper: [1, 1, 1] } as RunIndex['box'];
+  return {
+    name: 'a',
+    directory: '/runs/a',
+    title: '',
+    dimension: 2,
+    outcome: 'complete',
+    facts: [],
+    groups: [],
+    warnings: [],
+    notes: [],
+    quantities: [],
+    scales: { stress: 100, torque: 0, length: 1, period: 1 },
+    window: [1, 2],
+    case: '',
+    history: null,
+    tracks: null,
+    box: zero,
+    free_surface: false,
+    solids: [],
+    cloth: { pieces: [], nodes: 0 },
+    frames: { ...frames, span: zero },
+    ...change,
+  };
+}
+
+/** A run of so many rows, 0.5 s apart, whose columns count 0, 1, 2 ... times their number. */
+function run(header: string, rows = 5, change: Partial<RunIndex> = {}): RunTables {
+  const columns = header.split(',').length;
+  const row = (i: number) => [
+    0.5 * i,
+    ...Array.from({ length: columns - 1 }, (_, c) => i * (c + 1)),
+  ];
+  const lines = Array.from({ length: rows }, (_, i) => row(i).join());
+  return {
+    index: index(change),
+    history: parseTable([header, ...lines, ''].join('\n')),
+    tracks: null,
+  };
+}
+
+const titles = (runs: RunTables[]) =>
+  catalogue(runs).map(({ title, plots }) => [title, plots.map((plot) => plot.title)]);
+
+const find = (runs: RunTables[], title: string) =>
+  catalogue(runs)
+    .flatMap(({ plots }) => plots)
+    .find((plot) => plot.title === title)!;
+
+describe('catalogue of one run', () => {
+  it('shows what the columns allow, and every other column as well', () => {
+    expect(titles([run(washer)])).toEqual([
+      ['Cloth', ['Stress', 'Radius of the cloth']],
+      [
+        'Torque and energy',
+        [
+          'Torque on agitator',
+          'Power of agitator',
+          'Energy per cycle of agitator',
+          'Speed of agitator',
+          'Torque on tub',
+        ],
+      ],
+      ['Probes', ['tip x']],
+      ['Forces', ['Force on agitator']],
+      ['Other', ['agitator angle']],
+      ['Numerics', ['Largest strain']],
+    ]);
+  });
+
+  it('takes units from the header, and the energy’s from the power', () => {
+    expect(find([run(washer)], 'Torque on tub').unit).toBe('N');
+    expect(find([run(washer)], 'Energy per cycle of agitator').unit).toBe('J/m');
+  });
+
+  it('has the mean of the window in the stress plot, if its unit is the same', () => {
+    const quantity = {
+      name: 'stress',
+      unit: 'Pa',
+      mean: 7,
+      half_width: 2,
+      batches: 3,
+      scaled: null,
+    };
+    const bands = (unit: string) =>
+      find([run(washer, 5, { quantities: [{ ...quantity, unit }] })], 'Stress').bands;
+    expect(bands('Pa')).toMatchObject([{ mean: 7, halfWidth: 2, from: 1, to: 2 }]);
+    expect(bands('kPa')).toEqual([]);
+  });
+
+  it('scales by sigma_o where there is one', () => {
+    expect(find([run(washer)], 'Stress').scale).toEqual({ size: 100, symbol: 'σₒ' });
+    expect(find([run(washer)], 'Torque on tub').scale).toBeNull();
+  });
+
+  it('opens forces and water only where there is no cloth', () => {
+    const header =
+      'time [s],kinetic energy [J],cylinder friction torque [N m],cylinder force x [N]';
+    const sections = catalogue([run(header, 5, { cloth: null })]);
+    expect(sections.map(({ title, open }) => [title, open])).toEqual([
+      ['Torque and energy', true],
+      ['Forces', true],
+      ['Water', true],
+    ]);
+  });
+
+  it('shows nothing without a history', () => {
+    expect(catalogue([{ index: index(), history: null, tracks: null }])).toEqual([]);
+  });
+});
+
+describe('catalogue of several runs', () => {
+  const runs = [run(washer), run(washer, 3, { name: 'b' })];
+
+  it('has one quantity in a plot, with a curve for each run', () => {
+    const plot = find(runs, 'Stress: membrane');
+    expect(plot.curves.map(({ label, run: number }) => [label, number])).toEqual([
+      ['a', 0],
+      ['b', 1],
+    ]);
+    expect(new Set(plot.curves.map(({ colour }) => colour)).size).toBe(2);
+    expect(plot.curves[1]!.dash).not.toEqual([]);
+  });
+
+  it('keeps a run’s curve out where the run lacks the column', () => {
+    const other = run('time [s],stress [Pa]', 3, { name: 'b' });
+    expect(find([runs[0]!, other], 'Largest strain').curves).toHaveLength(1);
+  });
+
+  it('shades the same window once', () => {
+    expect(find(runs, 'Stress: total').windows).toEqual([[1, 2]]);
+  });
+});
+
+describe('data of a plot', () => {
+  it('joins runs of different times, with empty cells in the table', () => {
+    const runs = [run('time [s],stress [Pa]', 3), run('time [s],stress [Pa]', 2, { name: 'b' })];
+    const plot = find(runs, 'Stress: total');
+    expect(csvOf(plot, ['a', 'b'])).toBe(
+      'time [s],a: stress [Pa],b: stress [Pa]\n0,0,0\n0.5,1,1\n1,2,\n',
+    );
+    expect(alignedData(plot, 1)[0]).toHaveLength(3);
+  });
+
+  it('shows values in the plot’s unit and leaves out what a logarithm cannot take', () => {
+    const plot = find([run('time [s],divergence')], 'Divergence');
+    expect(alignedData(plot, 2)[1]).toEqual([null, 2, 4, 6, 8]);
+    const stress = run('time [s],stress [Pa]', 5);
+    stress.history!.columns[1]!.values.fill(5e4);
+    expect(displayFor(find([stress], 'Stress'))).toEqual({ factor: 1e-3, unit: 'kPa' });
+  });
+
+  it('draws the last cycle’s energy to its end', () => {
+    const plot = find([run(washer)], 'Energy per cycle of agitator');
+    expect([...plot.curves[0]!.times]).toEqual([0, 1]);
+    expect([...alignedData(plot, 1)[0]!]).toEqual([0, 1, 2]);
+  });
+
+  it('finds the sample of a time', () => {
+    const [curve] = find([run('time [s],stress [Pa]')], 'Stress').curves;
+    expect([-9, 0, 0.2, 0.3, 2, 9].map((time) => sampleAt(curve!, time))).toEqual([
+      null,
+      0,
+      0,
+      1,
+      4,
+      null,
+    ]);
+  });
+});
+
+describe('plots of the pieces', () => {
+  it('have a curve for each piece, and no height in two dimensions', () => {
+    const tracks = parseTable(
+      'time [s],piece 1 r [m],piece 1 z [m],piece 1 stress [Pa],piece 2 r [m],piece 2 z [m],piece 2 stress [Pa]\n0,1,2,3,4,5,6\n',
+    );
+    const section = pieceSection([{ index: index(), history: null, tracks }])!;
+    expect(section.plots.map(({ title }) => title)).toEqual([
+      'Radius of each piece',
+      'Stress of each piece',
+    ]);
+    expect(section.plots[1]!.curves.map(({ values }) => values[0])).toEqual([3, 6]);
+  });
+});
