@@ -14,6 +14,7 @@ pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 pkg_check_modules(muparser REQUIRED IMPORTED_TARGET muparser)
 find_package(ZLIB REQUIRED)
 find_package(TBB REQUIRED)
+find_package(Imath REQUIRED)  # of OpenVDB
 find_library(UDUNITS2_LIBRARY udunits2 REQUIRED)
 find_library(OPENVDB_LIBRARY openvdb REQUIRED)
 find_library(B64_LIBRARY b64 REQUIRED)
@@ -25,5 +26,5 @@ target_include_directories(washtub_libraries SYSTEM INTERFACE
 target_link_libraries(washtub_libraries INTERFACE
   MPI::MPI_CXX ${HDF5_LIBRARIES} Eigen3::Eigen fmt::fmt spdlog::spdlog CLI11::CLI11
   nlohmann_json::nlohmann_json PkgConfig::tomlplusplus PkgConfig::muparser ${UDUNITS2_LIBRARY}
-  ZLIB::ZLIB ${B64_LIBRARY} ${OPENVDB_LIBRARY} TBB::tbb)
+  ZLIB::ZLIB ${B64_LIBRARY} ${OPENVDB_LIBRARY} TBB::tbb Imath::Imath)
 target_compile_definitions(washtub_libraries INTERFACE OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)

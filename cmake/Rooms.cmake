@@ -1,3 +1,12 @@
+# Headers that most files include, read once instead of in every file.
+file(WRITE ${CMAKE_BINARY_DIR}/headers.cpp.new "")
+file(COPY_FILE ${CMAKE_BINARY_DIR}/headers.cpp.new ${CMAKE_BINARY_DIR}/headers.cpp ONLY_IF_DIFFERENT)
+add_library(washtub_headers OBJECT ${CMAKE_BINARY_DIR}/headers.cpp)
+target_link_libraries(washtub_headers PRIVATE washtub_libraries washtub_compiler)
+target_precompile_headers(washtub_headers PRIVATE
+  <Eigen/Dense> <fmt/format.h> <fmt/ranges.h> <algorithm> <array> <cmath> <functional> <map>
+  <memory> <optional> <span> <string> <vector>)
+
 # A room is a folder of src/ that becomes the static library washtub_<room>.
 # `washtub_room(flow DEPENDS grid)` also says which way its includes may point.
 function(washtub_room room)
@@ -16,6 +25,7 @@ function(washtub_room room)
   target_link_libraries(washtub_${room} ${scope} ${ARG_DEPENDS} washtub_libraries)
   if(sources)
     target_link_libraries(washtub_${room} PRIVATE $<BUILD_INTERFACE:washtub_compiler>)
+    target_precompile_headers(washtub_${room} REUSE_FROM washtub_headers)
   endif()
 endfunction()
 
@@ -32,6 +42,7 @@ function(washtub_tests room)
   add_executable(test_${room} ${sources} ${CMAKE_SOURCE_DIR}/tests/main.cpp)
   target_link_libraries(test_${room} PRIVATE washtub_${room} ${ARG_WITH} washtub_compiler GTest::gtest GTest::gmock)
   target_include_directories(test_${room} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+  target_precompile_headers(test_${room} REUSE_FROM washtub_headers)
   set(quick --gtest_filter=-Verification*)
   if(WASHTUB_SANITIZE)
     set(filter ${quick})

@@ -9,15 +9,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json stress_part(const StressSummary& s, double scale) {
-  return {{"mean [Pa]", s.mean},
-          {"standard deviation over time [Pa]", s.over_time},
-          {"standard deviation over pieces [Pa]", s.over_pieces},
-          {"standard deviation over pieces and time [Pa]", s.over_time_pieces},
-          {"mean / sigma_o", s.mean / scale},
-          {"standard deviation over time / sigma_o", s.over_time / scale},
-          {"standard deviation over pieces / sigma_o", s.over_pieces / scale},
-          {"standard deviation over pieces and time / sigma_o", s.over_time_pieces / scale}};
+Json stress_part(const StressSummary& s, const std::optional<Scales>& scale) {
+  Json j = {{"mean [Pa]", s.mean},
+            {"standard deviation over time [Pa]", s.over_time},
+            {"standard deviation over pieces [Pa]", s.over_pieces},
+            {"standard deviation over pieces and time [Pa]", s.over_time_pieces}};
+  if (!scale) return j;
+  j["mean / sigma_o"] = s.mean / scale->stress;
+  j["standard deviation over time / sigma_o"] = s.over_time / scale->stress;
+  j["standard deviation over pieces / sigma_o"] = s.over_pieces / scale->stress;
+  j["standard deviation over pieces and time / sigma_o"] = s.over_time_pieces / scale->stress;
+  return j;
 }
 
 /// Samples of the window as one series.
@@ -43,22 +45,21 @@ struct Signal {
 
 Json solid_summary(const std::string& name, const Drive& drive, std::size_t s,
                    const std::vector<Sample>& samples, const Interval& window, const Case& c) {
-  const double tau = scales(c).torque;
-  const auto part = [&](double SolidSample::*member) {
-    return Signal(samples, [&](const Sample& x) { return x.solids[s].*member; }).over(window).rms();
+  const auto rms = [&](auto&& value) {
+    return Signal(samples, [&](const Sample& x) { return value(x.solids[s]); }).over(window).rms();
   };
-  Json j = {
-      {"name", name},
-      {c.dimension == 3 ? "rms torque [N m]" : "rms torque [N m/m]", part(&SolidSample::torque)},
-      {"rms torque / tau_o", part(&SolidSample::torque) / tau},
-      {"rms skin friction torque / tau_o", part(&SolidSample::friction) / tau},
-      {"rms pressure torque / tau_o", part(&SolidSample::pressure) / tau},
-      {"rms convective torque / tau_o", part(&SolidSample::convection) / tau},
-      {"rms friction and pressure torque / tau_o",
-       Signal(samples, [&](const Sample& x) { return x.solids[s].friction + x.solids[s].pressure; })
-               .over(window)
-               .rms() /
-           tau}};
+  Json j = {{"name", name},
+            {c.dimension == 3 ? "rms torque [N m]" : "rms torque [N m/m]",
+             rms([](const SolidSample& x) { return x.torque; })}};
+  if (const auto scale = scales(c)) {
+    const auto add = [&](const char* key, auto&& value) { j[key] = rms(value) / scale->torque; };
+    add("rms torque / tau_o", [](const SolidSample& x) { return x.torque; });
+    add("rms skin friction torque / tau_o", [](const SolidSample& x) { return x.friction; });
+    add("rms pressure torque / tau_o", [](const SolidSample& x) { return x.pressure; });
+    add("rms convective torque / tau_o", [](const SolidSample& x) { return x.convection; });
+    add("rms friction and pressure torque / tau_o",
+        [](const SolidSample& x) { return x.friction + x.pressure; });
+  }
   if (!drive.moving()) return j;
   std::vector<TorqueSample> torques;
   for (std::size_t i = 1; i < samples.size(); ++i) {
@@ -102,13 +103,15 @@ Json loop_summary(const std::vector<Sample>& samples, const Interval& window, co
           {"signs agreeing with the wash loop, of 4", map.agreeing()}};
 }
 
-/// The scatter in every whole cycle of the window that the samples have covered.
+/// The scatter in every whole cycle of the window that the samples have covered, about the centre
+/// over the whole window.
 template <int D>
-std::vector<double> of_cycles(const Observer<D>& observer, double (Scatter::*scatter)() const) {
+std::vector<double> of_cycles(const Observer<D>& observer,
+                              double (Scatter::*scatter)(const Scatter&) const) {
   std::vector<double> values;
   for (const Scatter& cycle : observer.scatter_of_cycles())
     if (cycle.window().end < observer.samples().back().time * (1 + 1e-6))
-      values.push_back((cycle.*scatter)());
+      values.push_back((cycle.*scatter)(observer.scatter()));
   return values;
 }
 
@@ -116,7 +119,7 @@ template <int D>
 Json cloth_summary(const Simulation<D>& simulation, const Observer<D>& observer) {
   const auto& c = simulation.definition();
   const auto& samples = observer.samples();
-  const double sigma = scales(c).stress;
+  const auto scale = scales(c);
   const Signal stress(samples, [](const Sample& s) { return s.stress.total; });
   std::vector<double> cycles;
   for (const auto& cycle : whole_cycles(observer.window(), samples.back().time, c.scale.period))
@@ -125,16 +128,17 @@ Json cloth_summary(const Simulation<D>& simulation, const Observer<D>& observer)
   const auto pieces = static_cast<std::size_t>(simulation.cloth().pieces());
   Json j = {
       {"pieces", pieces},
-      {"stress", stress_part(observer.stress().total(), sigma)},
-      {"stress, 95 % half width / sigma_o", mean.half_width / sigma},
-      {"membrane stress", stress_part(observer.stress().membrane(), sigma)},
-      {"bending stress", stress_part(observer.stress().bending(), sigma)},
+      {"stress", stress_part(observer.stress().total(), scale)},
+      {"stress, 95 % half width [Pa]", mean.half_width},
+      {"membrane stress", stress_part(observer.stress().membrane(), scale)},
+      {"bending stress", stress_part(observer.stress().bending(), scale)},
       {"scatter about the common centre [m]", observer.scatter().common()},
       {"scatter about each piece's own centre [m]", observer.scatter().own()},
-      {"scatter about the common centre in each cycle [m]", of_cycles(observer, &Scatter::common)},
+      {"scatter about the common centre in each cycle [m]", of_cycles(observer, &Scatter::common_about)},
       {"scatter about each piece's own centre in each cycle [m]",
-       of_cycles(observer, &Scatter::own)},
+       of_cycles(observer, &Scatter::own_about)},
       {"centre (r, z) [m]", {observer.scatter().centre()[0], observer.scatter().centre()[1]}}};
+  if (scale) j["stress, 95 % half width / sigma_o"] = mean.half_width / scale->stress;
   if constexpr (D == 3) j["loop"] = loop_summary(samples, observer.window(), c);
   return j;
 }
@@ -174,7 +178,9 @@ nlohmann::ordered_json summarise(const Simulation<D>& simulation, const Observer
                      {"deepest penetration of a solid [m]", e.penetration},
                      {"nodes held off solids per step", static_cast<double>(e.touched) / steps}};
   j["window [s]"] = {observer.window().begin, observer.window().end};
-  j["scales"] = {{"sigma_o [Pa]", scales(c).stress}, {"tau_o [N m]", scales(c).torque}};
+  if (const auto scale = scales(c))
+    j["scales"] = {{"sigma_o [Pa]", scale->stress},
+                   {"tau_o [N m]", scale->torque}};
   const auto& solids = simulation.mapping().solids();
   j["solids"] = Json::array();
   for (std::size_t s = 0; s < solids.size(); ++s)

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "base/nearest.hpp"
 
@@ -126,6 +128,24 @@ Format<std::string> text() {
             return *text;
           },
           [](const std::string& value, int) { return quoted(value); }, "text", ""};
+}
+
+Format<std::string> label() {
+  Format<std::string> format = text();
+  format.read = [](const Node& node, int dimension) {
+    const std::string name = text().read(node, dimension);
+    const auto wrong = [](char c) {
+      return std::string_view(",[]\"\x7f").find(c) != std::string_view::npos ||
+             static_cast<unsigned char>(c) < ' ';
+    };
+    if (name.empty() || std::any_of(name.begin(), name.end(), wrong))
+      throw error_at(node,
+                     "expected a name without comma, brackets, quotation marks, line breaks and "
+                     "control characters");
+    return name;
+  };
+  format.allowed = "no `,` `[` `]` `\"` nor control characters";
+  return format;
 }
 
 Format<int> name_of(const std::vector<std::string>& names) {

@@ -43,6 +43,9 @@ Format<int> integer(const Range& range = any());
 Format<std::uint64_t> seed();
 Format<bool> boolean();
 Format<std::string> text();
+/// A name that can stand at the head of a column: not empty, and without `,` `[` `]` `"` and control
+/// characters.
+Format<std::string> label();
 
 /// One quantity per axis.
 Format<Vec<3>> vector(const Measure& measure, const Range& range = any());

@@ -19,14 +19,15 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view before = "frame_", after = ".h5";
 
+std::string frame_name(int number) { return fmt::format("{}{:06d}{}", before, number, after); }
+
 /// The number in "frame_000012.h5"; none for other names.
 std::optional<int> frame_number(std::string_view name) {
-  if (!name.starts_with(before) || !name.ends_with(after)) return {};
-  name.remove_prefix(before.size());
-  name.remove_suffix(std::min(after.size(), name.size()));
+  if (!name.starts_with(before)) return {};
   int number = 0;
-  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
-  if (error != std::errc() || end != name.data() + name.size() || number < 0) return {};
+  const auto digits = name.substr(before.size());
+  const auto [end, error] = std::from_chars(digits.begin(), digits.end(), number);
+  if (error != std::errc() || number < 0 || name != frame_name(number)) return {};
   return number;
 }
 
@@ -68,17 +69,16 @@ FrameFiles frame_files(const std::string& directory) {
     if (const auto number = frame_number(entry.path().filename().string()))
       found.numbers.push_back(*number);
   std::sort(found.numbers.begin(), found.numbers.end());
-  int next = 0;
+  int before_it = -1;
   for (const int number : found.numbers) {
-    for (; next < number; ++next) found.gaps.push_back(next);
-    next = number + 1;
+    if (number - before_it > 1) found.gaps.push_back({before_it + 1, number - 1});
+    before_it = number;
   }
   return found;
 }
 
 std::string frame_path(const std::string& directory, int number) {
-  return (fs::path(directory) / "frames" / fmt::format("{}{:06d}{}", before, number, after))
-      .string();
+  return (fs::path(directory) / "frames" / frame_name(number)).string();
 }
 
 FrameReader::FrameReader(const std::string& path) : path_(path), file_(open(path), H5Fclose) {}

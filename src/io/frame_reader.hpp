@@ -8,13 +8,19 @@
 
 namespace washtub {
 
-/// The frames of an output directory.
-struct FrameFiles {
-  std::vector<int> numbers;  ///< ascending
-  std::vector<int> gaps;     ///< numbers below the last one that have no file
+/// Numbers that have no file, both ends included.
+struct FrameGap {
+  int first, last;
+  bool operator==(const FrameGap&) const = default;
 };
 
-/// Empty where the directory has no folder "frames".
+/// The frames of an output directory.
+struct FrameFiles {
+  std::vector<int> numbers;    ///< ascending
+  std::vector<FrameGap> gaps;  ///< below the last number
+};
+
+/// Files named as frame_path names them; empty where the directory has no folder "frames".
 FrameFiles frame_files(const std::string& directory);
 
 /// Where FrameWriter puts frame `number`.

@@ -28,12 +28,8 @@ Observer<D>::Observer(Simulation<D>& simulation)
               simulation.definition().output.window_end},
       axis_(turning_axis(simulation.mapping().solids())),
       stress_(static_cast<std::size_t>(simulation.cloth().pieces()), window_),
-      scatter_(static_cast<std::size_t>(simulation.cloth().pieces()), window_, axis_) {
-  const auto cycles = whole_cycles(window_, window_.end, simulation.definition().scale.period);
-  for (const Interval& cycle : cycles)
-    if (cycles.size() <= 1000)
-      scatter_of_cycles_.emplace_back(static_cast<std::size_t>(simulation.cloth().pieces()), cycle,
-                                      axis_);
+      scatter_(static_cast<std::size_t>(simulation.cloth().pieces()), window_, axis_),
+      cycles_(whole_cycles(window_, window_.end, simulation.definition().scale.period)) {
   if (simulation.definition().exact) exact_.emplace(*simulation.definition().exact);
   const auto n = simulation.cloth().position.size();
   for (auto* v : {&membrane_, &bending_, &total_}) v->resize(n);
@@ -62,6 +58,24 @@ void Observer<D>::observe_solids(Sample& sample) {
   }
 }
 
+/// Cycles begin as time goes on; a sample counts for the last ones only.
+template <int D>
+void Observer<D>::observe_scatter(const Interval& since) {
+  const auto& cloth = simulation_.cloth();
+  for (auto next = scatter_of_cycles_.size();
+       next < cycles_.size() && cycles_[next].begin < since.end; ++next)
+    scatter_of_cycles_.emplace_back(static_cast<std::size_t>(cloth.pieces()), cycles_[next], axis_);
+  for (const auto& g : cloth.groups)
+    for (int p = 0; p < g.pieces; ++p) {
+      const auto X = cloth.piece(g, p);
+      const auto piece = static_cast<std::size_t>(g.first_piece + p);
+      scatter_.add<D>(since, piece, X, g.sheet.area);
+      for (auto cycle = scatter_of_cycles_.rbegin();
+           cycle != scatter_of_cycles_.rend() && cycle->window().end > since.begin; ++cycle)
+        cycle->template add<D>(since, piece, X, g.sheet.area);
+    }
+}
+
 template <int D>
 void Observer<D>::observe_cloth(Sample& sample, const Interval& since) {
   const auto& cloth = simulation_.cloth();
@@ -82,9 +96,6 @@ void Observer<D>::observe_cloth(Sample& sample, const Interval& since) {
       };
       sample.pieces.push_back(
           area_mean({part(membrane_), part(bending_), part(total_)}, g.sheet.area));
-      const auto piece = static_cast<std::size_t>(g.first_piece + p);
-      scatter_.add<D>(since, piece, X, g.sheet.area);
-      for (Scatter& cycle : scatter_of_cycles_) cycle.add<D>(since, piece, X, g.sheet.area);
       sample.centres.push_back(radius_height<D>(centre_of_mass<D>(X, g.sheet.area), axis_));
       const double piece_area = std::accumulate(g.sheet.area.begin(), g.sheet.area.end(), 0.0);
       sample.centre += piece_area * sample.centres.back();
@@ -99,6 +110,7 @@ void Observer<D>::observe_cloth(Sample& sample, const Interval& since) {
     sample.stress.total += p.total / pieces;
   }
   stress_.add(since, sample.pieces);
+  observe_scatter(since);
 }
 
 template <int D>

@@ -53,7 +53,7 @@ class Observer {
   const std::vector<double>& total() const { return total_; }
   const StressStatistics& stress() const { return stress_; }
   const Scatter& scatter() const { return scatter_; }
-  /// Of every whole cycle of the window, those to come still empty; none where there are over 1000.
+  /// Of every whole cycle of the window that has begun.
   const std::vector<Scatter>& scatter_of_cycles() const { return scatter_of_cycles_; }
   const Interval& window() const { return window_; }
   /// Largest values over all steps so far.
@@ -70,6 +70,7 @@ class Observer {
  private:
   void observe_solids(Sample& s);
   void observe_cloth(Sample& s, const Interval& since);
+  void observe_scatter(const Interval& since);
   void observe_probes(Sample& s) const;
   void observe_rings(Sample& s) const;
 
@@ -78,6 +79,7 @@ class Observer {
   Vec<2> axis_;
   StressStatistics stress_;
   Scatter scatter_;
+  std::vector<Interval> cycles_;
   std::vector<Scatter> scatter_of_cycles_;
   std::optional<ExactSolution<D>> exact_;
   std::vector<Sample> samples_;

@@ -15,21 +15,23 @@ Vec<2> Scatter::centre() const {
   return {r.mean(), z.mean()};
 }
 
-double Scatter::own() const {
+template <class Centre>
+double Scatter::rms_distance(const Centre& about) const {
   Statistics squares;
   for (std::size_t k = 0; k < r_.size(); ++k) {
-    const double r = r_[k].deviation(), z = z_[k].deviation();
-    squares.add(r * r + z * z, r_[k].weight());
+    const Vec<2> deviation(r_[k].deviation(), z_[k].deviation());
+    squares.add(deviation.squaredNorm() + (centre(k) - about(k)).squaredNorm(), r_[k].weight());
   }
   return std::sqrt(squares.mean());
 }
 
-double Scatter::common() const {
-  const Vec<2> middle = centre();
-  Statistics squares;
-  for (std::size_t k = 0; k < r_.size(); ++k)
-    squares.add((centre(k) - middle).squaredNorm(), r_[k].weight());
-  return std::hypot(own(), std::sqrt(squares.mean()));
+double Scatter::own_about(const Scatter& other) const {
+  return rms_distance([&](std::size_t piece) { return other.centre(piece); });
+}
+
+double Scatter::common_about(const Scatter& other) const {
+  const Vec<2> middle = other.centre();
+  return rms_distance([&](std::size_t) { return middle; });
 }
 
 }  // namespace washtub

@@ -32,12 +32,20 @@ class Scatter {
   }
 
   const Interval& window() const { return window_; }
-  double common() const;                   ///< r' about the common centre [m]
-  double own() const;                      ///< r' about each piece's own centre [m]
+  double common() const { return common_about(*this); }  ///< r' about the common centre [m]
+  double own() const { return own_about(*this); }  ///< r' about each piece's own centre [m]
+  /// The same about the centres of another window, mostly one that holds this one: over its whole
+  /// cycles the mean of the squares of their scatter is the square of its own [m].
+  double common_about(const Scatter& other) const;
+  double own_about(const Scatter& other) const;
   Vec<2> centre() const;                   ///< the common centre (r, z) [m]
   Vec<2> centre(std::size_t piece) const;  ///< a piece's own centre (r, z) [m]
 
  private:
+  /// Rms distance of all points from `centre(piece)`.
+  template <class Centre>
+  double rms_distance(const Centre& centre) const;
+
   Interval window_;
   Vec<2> axis_;
   std::vector<Statistics> r_, z_;

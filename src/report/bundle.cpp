@@ -7,6 +7,7 @@
 
 #include "report/facts.hpp"
 #include "report/frames_index.hpp"
+#include "report/json.hpp"
 #include "report/quantities.hpp"
 #include "report/surface.hpp"
 #include "report/thinning.hpp"
@@ -19,14 +20,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json triple(const Vec<3>& x) { return {x.x(), x.y(), x.z()}; }
-
 Json scales_index(const std::optional<Case>& definition) {
   if (!definition) return {{"stress", 0}, {"torque", 0}, {"length", 0}, {"period", 0}};
-  const Scales scale = scales(*definition);
-  const bool any = definition->scale.speed > 0 && definition->scale.length > 0;
-  return {{"stress", any ? scale.stress : 0},
-          {"torque", any ? scale.torque : 0},
+  const auto scale = scales(*definition);
+  return {{"stress", scale ? scale->stress : 0},
+          {"torque", scale ? scale->torque : 0},
           {"length", definition->scale.length},
           {"period", definition->scale.period}};
 }
@@ -39,7 +37,7 @@ Json window_index(const RunRecord& run) {
 /// The case's box, in plane cases the slab of its cells; around the cloth where there is no case.
 SurfaceBox case_box(const std::optional<Case>& definition, const FrameSet& frames) {
   if (!definition) {
-    const auto [lower, upper] = cloth_span(frames, 1);
+    const auto [lower, upper] = cloth_span(frames, kept(frames.size(), 1));
     return {lower, upper};
   }
   const FluidGrid grid = WaterGrid(*definition).grid;
@@ -52,10 +50,13 @@ bool has_free_surface(const Case& whole) {
   return whole.dimension == 3 && sides[5].kind == SideKind::slip && sides[4].kind != SideKind::slip;
 }
 
-Json solids_index(const Case& whole, const SurfaceBox& box, Chunks& chunks) {
+Json solids_index(const Case& whole, const SurfaceBox& box, Chunks& chunks,
+                  std::vector<std::string>& notes) {
   Json solids = Json::array();
   for (const Solid& solid : build_solids(whole)) {
     const auto seen = surface(solid, box);
+    if (!seen && reaches_into(solid, box))
+      notes.push_back(fmt::format("{} is not shown: it is too thin to be drawn.", solid.name));
     if (!seen) continue;
     solids.push_back({{"name", solid.name},
                       {"moving", solid.drive.moving()},
@@ -77,12 +78,14 @@ Json cloth_index(const FrameSet& frames) {
   return {{"pieces", pieces}, {"nodes", frames.nodes}};
 }
 
-Json text_chunk(const std::string& text, Chunks& chunks) {
-  return text.empty() ? Json(nullptr) : Json(chunks.add(text));
+/// The rows of a table that are kept.
+Json rows_chunk(const std::string& text, int every, Chunks& chunks) {
+  return text.empty() ? Json(nullptr) : Json(chunks.add(thin_rows(text, every)));
 }
 
-/// All but the frames.
-Json head(const RunRecord& run, const FrameSet& frames, Chunks& chunks) {
+/// All but the curves and the frames.
+Json head(const RunRecord& run, const FrameSet& frames, Chunks& chunks,
+          std::vector<std::string>& notes) {
   const SurfaceBox whole = case_box(run.definition, frames);
   Json index = {{"name", run.name}, {"directory", run.directory}};
   index["title"] = run.definition ? run.definition->title : run.name;
@@ -95,11 +98,9 @@ Json head(const RunRecord& run, const FrameSet& frames, Chunks& chunks) {
   index["scales"] = scales_index(run.definition);
   index["window"] = window_index(run);
   index["case"] = run.case_text;
-  index["history"] = text_chunk(run.history_text, chunks);
-  index["tracks"] = text_chunk(run.tracks_text, chunks);
   index["box"] = {{"lower", triple(whole.lower)}, {"upper", triple(whole.upper)}};
   index["free_surface"] = run.definition && has_free_surface(*run.definition);
-  index["solids"] = run.definition ? solids_index(*run.definition, whole, chunks) : Json::array();
+  index["solids"] = run.definition ? solids_index(*run.definition, whole, chunks, notes) : Json::array();
   index["cloth"] = cloth_index(frames);
   return index;
 }
@@ -126,15 +127,11 @@ std::optional<Water> find_water(const RunRecord& run, const FrameSet& frames,
   return {};
 }
 
-std::vector<std::string> with_thinning(const std::vector<std::string>& known, const Thinning& plan,
-                                       const FrameSet& frames, const std::optional<Water>& water) {
-  std::vector<std::string> all = known;
-  const auto cells = water ? frames.cells : std::array<int, 3>{};
-  for (const std::string& note : thinning_notes(plan, frames.size(), cells)) all.push_back(note);
-  if (!water || water->bad().empty()) return all;
+/// A sentence on water that could not be read; "" where all could.
+std::string bad_water(const std::optional<Water>& water) {
+  if (!water || water->bad().empty()) return "";
   const std::vector<int> bad(water->bad().begin(), water->bad().end());
-  all.push_back(fmt::format("The water of {} could not be read.", frame_list(bad)));
-  return all;
+  return fmt::format("The water of {} could not be read.", frame_list(bad));
 }
 
 /// Angles of solids at rest tell nothing.
@@ -144,48 +141,96 @@ void drop_resting(const RunRecord& run, Json& angles) {
     if (!solid.drive.moving()) angles.erase(solid.name);
 }
 
-/// Bytes of a page that the index and the chunks since `before` take.
-std::size_t used(const Json& index, const Chunks& chunks, std::size_t before) {
-  return chunks.size() - before + page_json(index).size();
+/// Bytes that a text takes in a page.
+double deflated_size(const std::string& text) {
+  Chunks chunks;
+  if (!text.empty()) chunks.add(text);
+  return static_cast<double>(chunks.size());
 }
+
+/// About how much of a page a thinned run takes, found without making it.
+class Estimate {
+ public:
+  Estimate(const RunRecord& run, const FrameSet& frames, std::optional<Water>& water)
+      : tracks_(deflated_size(run.tracks_text)),
+        history_(deflated_size(run.history_text)),
+        frames_(frames, water) {}
+  double bytes(const Thinning& plan) {
+    return tracks_ / plan.tracks_every + history_ / plan.history_every + frames_.bytes(plan);
+  }
+
+ private:
+  double tracks_, history_;
+  FrameEstimate frames_;
+};
+
+/// A run that is made into one page part after another until it is small enough.
+class Bundler {
+ public:
+  Bundler(const RunRecord& run, Chunks& chunks)
+      : run_(run),
+        chunks_(chunks),
+        before_(chunks.size()),
+        frames_(read_frames(run.directory)),
+        known_(notes(run, frames_)) {
+    out_.index = head(run, frames_, chunks, known_);
+    water_ = find_water(run, frames_, known_);
+    own_ = chunks.texts().size();
+    whole_ = {frames_.size(), water_ ? frames_.cells : std::array<int, 3>{},
+              row_count(run.tracks_text), row_count(run.history_text)};
+  }
+
+  RunBundle fit(std::size_t room) {
+    const double free = static_cast<double>(room) - static_cast<double>(used());
+    const std::vector<Thinning> plans = thinnings(whole_);
+    std::optional<Estimate> estimate;
+    for (const Thinning& plan : plans) {
+      const bool last = &plan == &plans.back();
+      if (!last && free <= 0) continue;
+      if (!estimate && !last) estimate.emplace(run_, frames_, water_);
+      // The estimate may be a little too high.
+      if (!last && 0.95 * estimate->bytes(plan) > free) continue;
+      make(plan);
+      if (out_.bytes <= room) break;
+    }
+    return std::move(out_);
+  }
+
+ private:
+  void make(const Thinning& plan) {
+    chunks_.shrink(own_);
+    Json& index = out_.index;
+    index["history"] = rows_chunk(run_.history_text, plan.history_every, chunks_);
+    index["tracks"] = rows_chunk(run_.tracks_text, plan.tracks_every, chunks_);
+    index["frames"] = frames_index(frames_, water_, plan, chunks_);
+    drop_resting(run_, index["frames"]["angles"]);
+    out_.thinned = thinning_notes(plan, whole_);
+    std::vector<std::string> all = known_;
+    all.insert(all.end(), out_.thinned.begin(), out_.thinned.end());
+    if (const std::string bad = bad_water(water_); !bad.empty()) all.push_back(bad);
+    index["notes"] = all;
+    out_.bytes = used();
+    out_.frames = kept(frames_.size(), plan.frames_every).size();
+  }
+
+  /// Bytes of a page that the index and the chunks of this run take.
+  std::size_t used() const { return chunks_.size() - before_ + page_json(out_.index).size(); }
+
+  const RunRecord& run_;
+  Chunks& chunks_;
+  std::size_t before_;
+  FrameSet frames_;
+  std::vector<std::string> known_;
+  std::optional<Water> water_;
+  std::size_t own_ = 0;
+  Amount whole_;
+  RunBundle out_;
+};
 
 }  // namespace
 
-std::string page_json(const Json& json) {
-  std::string text;
-  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace))
-    if (c == '<')
-      text += "\\u003c";
-    else
-      text += c;
-  return text;
-}
-
 RunBundle bundle(const RunRecord& run, Chunks& chunks, std::size_t room) {
-  const FrameSet frames = read_frames(run.directory);
-  const std::size_t before = chunks.size();
-  RunBundle out{head(run, frames, chunks), 0, 0};
-  std::vector<std::string> known = notes(run, frames);
-  std::optional<Water> water = find_water(run, frames, known);
-  const std::size_t own = chunks.texts().size();
-  const double free =
-      static_cast<double>(room) - static_cast<double>(used(out.index, chunks, before));
-  const std::array<int, 3> cells = water ? frames.cells : std::array<int, 3>{};
-  FrameEstimate estimate(frames, water);
-  const std::vector<Thinning> plans = thinnings(frames.size(), cells);
-  for (const Thinning& plan : plans) {
-    const bool last = &plan == &plans.back();
-    // The estimate may be a little too high.
-    if (!last && 0.95 * estimate.bytes(plan) > free) continue;
-    chunks.shrink(own);
-    out.index["frames"] = frames_index(frames, water, plan, chunks);
-    drop_resting(run, out.index["frames"]["angles"]);
-    out.index["notes"] = with_thinning(known, plan, frames, water);
-    out.bytes = used(out.index, chunks, before);
-    out.frames = kept(frames.size(), plan.frames_every);
-    if (out.bytes <= room) break;
-  }
-  return out;
+  return Bundler(run, chunks).fit(room);
 }
 
 }  // namespace washtub

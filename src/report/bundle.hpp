@@ -1,5 +1,7 @@
 #pragma once
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "report/chunk.hpp"
 #include "report/run_record.hpp"
@@ -11,13 +13,11 @@ struct RunBundle {
   nlohmann::ordered_json index;  ///< RunIndex of viewer/src/model/bundle.ts
   std::size_t frames = 0;        ///< shown
   std::size_t bytes = 0;         ///< that index and chunks take in the page
+  std::vector<std::string> thinned;  ///< sentences on what was left out to fit
 };
 
 /// Makes the index of a run and adds its data to the chunks, thinned as far as needed to take
 /// `room` bytes at most. More than that only where everything that can be left out is left out.
 RunBundle bundle(const RunRecord& run, Chunks& chunks, std::size_t room);
-
-/// JSON as it may stand in a page: '<' escaped.
-std::string page_json(const nlohmann::ordered_json& json);
 
 }  // namespace washtub

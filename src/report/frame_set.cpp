@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.hpp"
 
@@ -40,6 +41,13 @@ void check_shape(const FrameSet& set, const std::string& path, const ClothFrame&
     throw InputError(fmt::format("{}: its solids are not those of the first frame", path));
 }
 
+/// @throws InputError where cloth has flown off to nowhere
+void check_finite(const std::string& path, const ClothFrame& cloth) {
+  for (const double x : cloth.positions)
+    if (!std::isfinite(static_cast<float>(x)))
+      throw InputError(fmt::format("{}: its cloth is at places that are not finite", path));
+}
+
 void add(FrameSet& set, int number) {
   const std::string path = frame_path(set.directory, number);
   const FrameReader file(path);
@@ -48,6 +56,7 @@ void add(FrameSet& set, int number) {
   const ClothFrame cloth = file.cloth();
   const std::array<int, 3> cells = file.cells();
   check_shape(set, path, cloth, cells, solids);
+  check_finite(path, cloth);
   set.cells = cells;
   set.pieces = cloth.pieces;
   set.nodes = cloth.total.size();
@@ -58,6 +67,20 @@ void add(FrameSet& set, int number) {
   set.membrane.push_back(as_float(cloth.membrane));
   set.bending.push_back(as_float(cloth.bending));
   set.total.push_back(as_float(cloth.total));
+}
+
+/// "frames 2, 4 to 7 and 3 gaps more"
+std::string gap_list(const std::vector<FrameGap>& gaps) {
+  constexpr std::size_t most = 5;
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < std::min(most, gaps.size()); ++i)
+    texts.push_back(gaps[i].first == gaps[i].last
+                        ? std::to_string(gaps[i].first)
+                        : fmt::format("{} to {}", gaps[i].first, gaps[i].last));
+  const bool one = gaps.size() == 1 && gaps[0].first == gaps[0].last;
+  std::string text = fmt::format("{} {}", one ? "frame" : "frames", fmt::join(texts, ", "));
+  if (gaps.size() > most) text += fmt::format(" and {} gaps more", gaps.size() - most);
+  return text;
 }
 
 }  // namespace
@@ -86,19 +109,18 @@ FrameSet read_frames(const std::string& directory) {
     }
   if (!bad.empty())
     set.notes.push_back(fmt::format("Left out, {}: {}.", frame_list(bad), first_reason));
-  if (!files.gaps.empty()) set.notes.push_back(fmt::format("Missing: {}.", frame_list(files.gaps)));
+  if (!files.gaps.empty()) set.notes.push_back(fmt::format("Missing: {}.", gap_list(files.gaps)));
   return set;
 }
 
-std::array<Vec<3>, 2> cloth_span(const FrameSet& frames, int every) {
+std::array<Vec<3>, 2> cloth_span(const FrameSet& frames, const std::vector<std::size_t>& shown) {
   std::array<Vec<3>, 2> span = {Vec<3>::Zero(), Vec<3>::Zero()};
   bool first = true;
-  for (std::size_t f = 0; f < frames.size(); f += static_cast<std::size_t>(every))
+  for (const std::size_t f : shown)
     for (std::size_t n = 0; n < frames.nodes; ++n) {
       Vec<3> x;
       for (int d = 0; d < 3; ++d)
         x[d] = frames.positions[f][static_cast<std::size_t>(d) * frames.nodes + n];
-      if (!x.allFinite()) continue;
       span = first ? std::array<Vec<3>, 2>{x, x}
                    : std::array<Vec<3>, 2>{span[0].cwiseMin(x), span[1].cwiseMax(x)};
       first = false;

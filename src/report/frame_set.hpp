@@ -25,13 +25,15 @@ struct FrameSet {
   std::size_t size() const { return times.size(); }
 };
 
-/// Frames that cannot be read, or are not shaped like the first one, are left out and noted.
+/// Frames that cannot be read, are not shaped like the first one, or have cloth at places that are
+/// not finite are left out and noted.
 FrameSet read_frames(const std::string& directory);
 
 /// "frames 3, 4, 7, 8, 9 and 5 more"; names only the first few.
 std::string frame_list(const std::vector<int>& numbers);
 
-/// Lower and upper corner of the box around all cloth [m]; both 0 where there is none.
-std::array<Vec<3>, 2> cloth_span(const FrameSet& frames, int every);
+/// Lower and upper corner of the box around all cloth of some frames [m]; both 0 where there is
+/// none.
+std::array<Vec<3>, 2> cloth_span(const FrameSet& frames, const std::vector<std::size_t>& shown);
 
 }  // namespace washtub

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "report/field_stream.hpp"
+#include "report/json.hpp"
 #include "report/quantise.hpp"
 
 namespace washtub {
@@ -10,14 +11,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json triple(const Vec<3>& x) { return {x.x(), x.y(), x.z()}; }
+using Numbers = std::vector<std::size_t>;
 
-Json positions_index(const FrameSet& frames, std::size_t every, const std::array<Vec<3>, 2>& span,
-                     Chunks& chunks) {
-  if (frames.nodes == 0) return nullptr;
+Json positions_index(const FrameSet& frames, const Numbers& shown,
+                     const std::array<Vec<3>, 2>& span, Chunks& chunks) {
+  if (frames.nodes == 0 || shown.empty()) return nullptr;
   Deflater values;
   std::vector<std::uint16_t> small(3 * frames.nodes);
-  for (std::size_t f = 0; f < frames.size(); f += every) {
+  for (const std::size_t f : shown) {
     for (std::size_t i = 0; i < small.size(); ++i) {
       const auto d = static_cast<Eigen::Index>(i / frames.nodes);
       small[i] = quantise_linear(frames.positions[f][i], span[0][d], span[1][d]);
@@ -27,13 +28,13 @@ Json positions_index(const FrameSet& frames, std::size_t every, const std::array
   return chunks.add(values);
 }
 
-Json stress_index(const std::vector<std::vector<float>>& stress, std::size_t every,
+Json stress_index(const std::vector<std::vector<float>>& stress, const Numbers& shown,
                   Chunks& chunks) {
   double largest = 0;
-  for (std::size_t f = 0; f < stress.size(); f += every)
+  for (const std::size_t f : shown)
     largest = std::max(largest, largest_magnitude(stress[f]));
   Deflater values;
-  for (std::size_t f = 0; f < stress.size(); f += every) {
+  for (const std::size_t f : shown) {
     std::vector<std::uint16_t> small;
     for (const float s : stress[f]) small.push_back(quantise_root(s, largest));
     values.add(std::span<const std::uint16_t>(small));
@@ -41,31 +42,29 @@ Json stress_index(const std::vector<std::vector<float>>& stress, std::size_t eve
   return {{"values", chunks.add(values)}, {"largest", largest}};
 }
 
-/// Times, angles and cloth of every so many-th frame.
-Json cloth_frames(const FrameSet& frames, int every, Chunks& chunks) {
-  const auto step = static_cast<std::size_t>(every);
+/// Times, angles and cloth of the frames shown.
+Json cloth_frames(const FrameSet& frames, const Numbers& shown, Chunks& chunks) {
   const auto thin = [&](const std::vector<double>& values) {
-    Json kept = Json::array();
-    for (std::size_t f = 0; f < values.size(); f += step) kept.push_back(values[f]);
-    return kept;
+    Json thinned = Json::array();
+    for (const std::size_t f : shown) thinned.push_back(values[f]);
+    return thinned;
   };
   Json index = {{"times", thin(frames.times)}, {"angles", Json::object()}};
   for (const auto& [name, angles] : frames.angles) index["angles"][name] = thin(angles);
-  const auto span = cloth_span(frames, every);
-  index["positions"] = positions_index(frames, step, span, chunks);
+  const auto span = cloth_span(frames, shown);
+  index["positions"] = positions_index(frames, shown, span, chunks);
   index["span"] = {{"lower", triple(span[0])}, {"upper", triple(span[1])}};
   index["stress"] = nullptr;
-  if (frames.nodes > 0)
-    index["stress"] = {{"membrane", stress_index(frames.membrane, step, chunks)},
-                       {"bending", stress_index(frames.bending, step, chunks)},
-                       {"total", stress_index(frames.total, step, chunks)}};
+  if (frames.nodes > 0 && !shown.empty())
+    index["stress"] = {{"membrane", stress_index(frames.membrane, shown, chunks)},
+                       {"bending", stress_index(frames.bending, shown, chunks)},
+                       {"total", stress_index(frames.total, shown, chunks)}};
   return index;
 }
 
 Json fields_index(const FrameSet& frames, Water& water, const Thinning& thinning, Chunks& chunks) {
   FieldStream stream;
-  const auto every = static_cast<std::size_t>(thinning.water_every);
-  for (std::size_t f = 0; f < frames.size(); f += every)
+  for (const std::size_t f : kept(frames.size(), thinning.water_every))
     if (const auto lattice = water.read(f, thinning.coarsenings)) stream.add(f, *lattice);
   if (stream.frames() == 0) return nullptr;
   const FluidGrid& grid = water.grid();
@@ -84,7 +83,7 @@ Json fields_index(const FrameSet& frames, Water& water, const Thinning& thinning
 
 Json frames_index(const FrameSet& frames, std::optional<Water>& water, const Thinning& thinning,
                   Chunks& chunks) {
-  Json index = cloth_frames(frames, thinning.frames_every, chunks);
+  Json index = cloth_frames(frames, kept(frames.size(), thinning.frames_every), chunks);
   index["fields"] = nullptr;
   if (water && thinning.water_every > 0)
     index["fields"] = fields_index(frames, *water, thinning, chunks);
@@ -94,17 +93,17 @@ Json frames_index(const FrameSet& frames, std::optional<Water>& water, const Thi
 FrameEstimate::FrameEstimate(const FrameSet& frames, std::optional<Water>& water)
     : frames_(frames.size()), water_(water) {
   Chunks chunks;
-  const Json index = cloth_frames(frames, 1, chunks);
+  const Json index = cloth_frames(frames, kept(frames_, 1), chunks);
   cloth_ = static_cast<double>(chunks.size() + index.dump().size());
 }
 
 double FrameEstimate::bytes(const Thinning& thinning) {
   const double all = static_cast<double>(std::max<std::size_t>(frames_, 1));
-  const double share = static_cast<double>(kept(frames_, thinning.frames_every)) / all;
+  const double share = static_cast<double>(kept(frames_, thinning.frames_every).size()) / all;
   if (!water_ || thinning.water_every == 0) return share * cloth_;
   const int c = thinning.coarsenings;
   if (!water_each_.contains(c)) water_each_[c] = water_->bytes_per_frame(c);
-  return share * cloth_ + water_each_[c] * static_cast<double>(kept(frames_, thinning.water_every));
+  return share * cloth_ + water_each_[c] * static_cast<double>(kept(frames_, thinning.water_every).size());
 }
 
 }  // namespace washtub

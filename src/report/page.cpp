@@ -2,13 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <string_view>
+#include <utility>
 
 #include "base/error.hpp"
 #include "io/file.hpp"
 #include "report/bundle.hpp"
+#include "report/json.hpp"
 
 extern "C" const char washtub_template[];
 extern "C" const char washtub_template_end[];
@@ -28,41 +32,64 @@ std::array<std::string_view, 2> frame_of_page() {
   return {whole.substr(0, at), whole.substr(at + mark.size())};
 }
 
-/// Bundles the runs so that each has its share of what the runs before it have left.
-std::size_t bundle_all(const std::vector<RunRecord>& runs, std::size_t room, Json& index,
-                       Chunks& chunks) {
-  std::size_t frames = 0;
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    RunBundle one = bundle(runs[r], chunks, room / (runs.size() - r));
-    room -= std::min(room, one.bytes);
-    frames += one.frames;
-    index.push_back(std::move(one.index));
-  }
-  return frames;
-}
+/// A page that is being made.
+struct Draft {
+  Json index;
+  Chunks chunks;
+  PageSize size;  ///< without its bytes
 
-std::string assemble(const Json& index, const Chunks& chunks) {
+  explicit Draft(const PageContent& content)
+      : index{{"version", 1}, {"program", content.program}, {"runs", Json::array()}} {
+    index["comparison"] = content.comparison;
+  }
+  /// Adds a run that takes `room` bytes at most, if it can. Returns how many it takes.
+  std::size_t add(const RunRecord& run, std::size_t room) {
+    RunBundle one = bundle(run, chunks, room);
+    size.frames += one.frames;
+    size.thinned.insert(size.thinned.end(), one.thinned.begin(), one.thinned.end());
+    index["runs"].push_back(std::move(one.index));
+    return one.bytes + 1;
+  }
+};
+
+std::string assemble(const Draft& draft) {
   const auto [before, after] = frame_of_page();
   std::string page(before);
   page += "<script type=\"application/json\" id=\"washtub-data\">";
-  page += page_json(index);
+  page += page_json(draft.index);
   page += "</script>\n";
-  for (std::size_t n = 0; n < chunks.texts().size(); ++n)
-    page += chunk_element(n, chunks.texts()[n]);
+  for (std::size_t n = 0; n < draft.chunks.texts().size(); ++n)
+    page += chunk_element(n, draft.chunks.texts()[n]);
   page += after;
   return page;
+}
+
+/// Every run gets what it needs at least, and its share of what is left over by those before it.
+/// The smallest page where that is not enough.
+std::pair<std::string, PageSize> compose(const PageContent& content, std::size_t limit) {
+  const auto& runs = content.runs;
+  Draft draft(content), smallest(content);
+  const std::size_t fixed = assemble(draft).size();
+  std::vector<std::size_t> least(runs.size(), 0);
+  for (std::size_t r = 0; r < runs.size() && runs.size() > 1; ++r)
+    least[r] = smallest.add(runs[r], 0);
+  const std::size_t needed = std::accumulate(least.begin(), least.end(), fixed);
+  if (needed > limit) return {assemble(smallest), smallest.size};
+  std::size_t rest = limit - needed;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const std::size_t room = least[r] + rest / (runs.size() - r);
+    const std::size_t taken = draft.add(runs[r], room - std::min<std::size_t>(room, 1));
+    rest -= std::min(rest, taken - std::min(taken, least[r]));
+  }
+  std::string page = assemble(draft);
+  if (page.size() > limit && runs.size() > 1) return {assemble(smallest), smallest.size};
+  return {std::move(page), draft.size};
 }
 
 }  // namespace
 
 PageSize write_page(const std::string& path, const PageContent& content, std::size_t limit) {
-  Json index = {{"version", 1}, {"program", content.program}, {"runs", Json::array()}};
-  index["comparison"] = content.comparison;
-  Chunks chunks;
-  const std::size_t fixed = assemble(index, chunks).size();
-  PageSize size;
-  size.frames = bundle_all(content.runs, limit - std::min(limit, fixed), index["runs"], chunks);
-  const std::string page = assemble(index, chunks);
+  auto [page, size] = compose(content, limit);
   size.bytes = page.size();
   if (size.bytes > limit)
     throw InputError(

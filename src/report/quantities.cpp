@@ -12,7 +12,8 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// Takes statistics of the columns of a run's history over its window.
+/// Takes statistics of the columns of a run's history over its window: over the whole cycles in it
+/// where there are any, so that means and batches rest on the same samples.
 class Columns {
  public:
   explicit Columns(const RunRecord& run)
@@ -31,23 +32,25 @@ class Columns {
     add(
         column, about, [](const Statistics& s) { return s.rms(); }, cycles_);
   }
-  /// Integral over every whole period, from a column of power; its mean is that of the periods.
-  void add_energy(const std::string& column, RunQuantity about, double period) {
+  /// Integral over every whole period, from a column of power; nothing without a period.
+  void add_energy(const std::string& column, const RunQuantity& about, double period) {
+    if (!(period > 0)) return;
     const auto cycles = whole_cycles(window_, times_.back(), period);
     if (cycles.empty()) return;
-    const Interval all{cycles.front().begin, cycles.back().end};
     add(
-        column, about, [&](const Statistics& s) { return s.mean() * period; }, cycles, all);
+        column, about, [&](const Statistics& s) { return s.mean() * period; }, cycles);
   }
   std::vector<RunQuantity> found;
 
  private:
   template <class Take>
   void add(const std::string& column, RunQuantity about, Take&& take,
-           const std::vector<Interval>& cycles, std::optional<Interval> span = {}) {
+           const std::vector<Interval>& cycles) {
     const auto* values = history_.find(column);
     if (!values) return;
-    about.mean = take(over_span(times_, values->values, span.value_or(window_)));
+    const Interval span =
+        cycles.empty() ? window_ : Interval{cycles.front().begin, cycles.back().end};
+    about.mean = take(over_span(times_, values->values, span));
     for (const Interval& cycle : cycles)
       about.batches.push_back(take(over_span(times_, values->values, cycle)));
     std::erase_if(about.batches, [](double value) { return !std::isfinite(value); });
@@ -61,10 +64,17 @@ class Columns {
   std::vector<Interval> cycles_;
 };
 
+/// A quantity yet to be found, scaled where the case has scales.
+RunQuantity wanted(const std::string& name, const std::string& unit, const std::string& scale_name,
+                   std::optional<double> scale) {
+  return {name, unit, 0, {}, scale ? scale_name : "", scale.value_or(1)};
+}
+
 void add_cloth(Columns& columns, const Case& whole) {
-  const double sigma = scales(whole).stress;
+  const auto scale = scales(whole);
+  const auto sigma = scale ? std::optional(scale->stress) : std::nullopt;
   for (const char* name : {"stress", "membrane stress", "bending stress"})
-    columns.add_mean(name, {name, "Pa", 0, {}, "sigma_o", sigma});
+    columns.add_mean(name, wanted(name, "Pa", "sigma_o", sigma));
   columns.add_mean("cloth radius", {"cloth radius", "m", 0, {}, "r_o", whole.scale.length});
   if (whole.dimension == 3)
     columns.add_mean("cloth height", {"cloth height", "m", 0, {}, "H", whole.scale.height});
@@ -72,9 +82,10 @@ void add_cloth(Columns& columns, const Case& whole) {
 
 void add_solid(Columns& columns, const SolidCase& solid, const Case& whole) {
   const bool flat = whole.dimension == 2;
-  columns.add_rms(
-      solid.name + " torque",
-      {solid.name + " rms torque", flat ? "N m/m" : "N m", 0, {}, "tau_o", scales(whole).torque});
+  const auto scale = scales(whole);
+  const auto tau = scale ? std::optional(scale->torque) : std::nullopt;
+  columns.add_rms(solid.name + " torque",
+                  wanted(solid.name + " rms torque", flat ? "N m/m" : "N m", "tau_o", tau));
   if (!solid.drive.moving()) return;
   const std::string power = solid.name + " power";
   columns.add_mean(power, {solid.name + " mean power", flat ? "W/m" : "W", 0, {}, "", 1});
@@ -85,15 +96,14 @@ void add_solid(Columns& columns, const SolidCase& solid, const Case& whole) {
 /// The scatter needs all points of the cloth at all samples, which only the run itself has.
 void add_scatter(std::vector<RunQuantity>& found, const RunRecord& run) {
   for (const char* about : {"the common centre", "each piece's own centre"}) {
-    RunQuantity quantity{"scatter about " + std::string(about), "m", 0, {}, "r_o", 1};
+    const auto length = run.definition ? std::optional(run.definition->scale.length) : std::nullopt;
+    RunQuantity quantity = wanted("scatter about " + std::string(about), "m", "r_o", length);
     const auto mean = summary_number(run, {"cloth", quantity.name + " [m]"});
     if (!mean) continue;
-    quantity.mean = *mean;
     quantity.batches = summary_numbers(run, {"cloth", quantity.name + " in each cycle [m]"});
-    if (run.definition)
-      quantity.scale = run.definition->scale.length;
-    else
-      quantity.scale_name = "";
+    Statistics cycles;
+    for (const double value : quantity.batches) cycles.add(value);
+    quantity.mean = quantity.batches.empty() ? *mean : cycles.rms();
     found.push_back(std::move(quantity));
   }
 }

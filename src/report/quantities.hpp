@@ -11,9 +11,9 @@ namespace washtub {
 /// A statistic over the window of a run.
 struct RunQuantity {
   std::string name, unit;
-  double mean = 0;  ///< over the window as far as it is covered; of energies, over whole cycles
+  double mean = 0;  ///< over the whole cycles in the window; where none is covered, over what is
   std::vector<double> batches;  ///< its value in each whole cycle of the window
-  std::string scale_name;       ///< "sigma_o"; "" where it has no scale
+  std::string scale_name;       ///< "sigma_o"; "" where it or the case has no scale
   double scale = 1;             ///< [unit]
 
   /// The true mean is within +- this with 95 % confidence, from the batches by Student's t; none
@@ -22,9 +22,9 @@ struct RunQuantity {
 };
 
 /// From history.csv: mean stress of the cloth and its parts, mean place of the pieces' centres,
-/// rms torque of every solid, mean power and energy per cycle of those that turn. A batch is a
-/// whole cycle of the drive, without a drive an eighth of the window. From the summary: the scatter
-/// of the cloth. Names of solids come first: "agitator rms torque". Quantities without a value are
+/// rms torque of every solid, mean power of those that turn, and energy per cycle of those that turn
+/// in cycles. A batch is a whole cycle of the drive, without one an eighth of the window. From the
+/// summary: the scatter of the cloth. Names of solids come first: "agitator rms torque". Quantities without a value are
 /// left out, all of them where the window is not known.
 std::vector<RunQuantity> find_quantities(const RunRecord& run);
 

@@ -169,11 +169,22 @@ template <class Make>
 Surface fit(double voxel, const Make& make) {
   Surface s;
   for (int attempt = 0; attempt < 4; ++attempt) {
-    s = make(voxel);
-    const double share = static_cast<double>(s.triangles.size()) / most_triangles;
-    if (share == 0 || (share > 0.4 && share <= 1)) break;
+    Surface next = make(voxel);
+    const double share = static_cast<double>(next.triangles.size()) / most_triangles;
+    if (share == 0) break;
+    s = std::move(next);
+    if (share > 0.4 && share <= 1) break;
     voxel *= 1.05 * std::sqrt(std::max(share, 0.1));
   }
+  return s;
+}
+
+/// Halves the voxels until thin solids are met, if that takes no more than ten times the triangles.
+template <class Make>
+Surface refine(double voxel, const Make& make) {
+  Surface s;
+  for (int attempt = 0; attempt < 4 && s.triangles.empty(); ++attempt) s = make(voxel *= 0.5);
+  if (s.triangles.size() > 10 * most_triangles) return {};
   return s;
 }
 
@@ -200,15 +211,26 @@ Surface surface(const Shape& shape, const Bounds& within, double voxel, bool ope
   return surface([&](const Vec<3>& x) { return shape.psi(x); }, within, voxel, open);
 }
 
+bool reaches_into(const Solid& solid, const SurfaceBox& box) {
+  const Bounds own = solid.shape.bounds();
+  if (!own.lower.allFinite() || !own.upper.allFinite()) return false;
+  const int axes = box.plane ? 2 : 3;
+  const Vec<3> lower = own.lower + solid.centre, upper = own.upper + solid.centre;
+  return (lower.head(axes).array() < box.upper.head(axes).array()).all() &&
+         (upper.head(axes).array() > box.lower.head(axes).array()).all();
+}
+
 std::optional<Surface> surface(const Solid& solid, const SurfaceBox& box) {
   const Bounds within = reach(solid, box);
   const Vec<3> size = within.upper - within.lower;
   if (!(size.minCoeff() > 0)) return {};
   const double voxel = (box.plane ? size.head<2>().norm() : size.norm()) / 120;
-  Surface s = fit(voxel, [&](double v) {
+  const auto make = [&](double v) {
     return box.plane ? plane_surface(solid.shape, within, v)
                      : surface(solid.shape, within, v, !solid.drive.moving());
-  });
+  };
+  Surface s = fit(voxel, make);
+  if (s.triangles.empty() && reaches_into(solid, box)) s = refine(voxel, make);
   if (s.triangles.empty()) return {};
   return s;
 }

@@ -25,6 +25,9 @@ struct SurfaceBox {
 /// sharp. None where there is no surface in the box.
 std::optional<Surface> surface(const Solid& solid, const SurfaceBox& box);
 
+/// Whether a solid of finite size reaches into the box, so that some of it should be seen.
+bool reaches_into(const Solid& solid, const SurfaceBox& box);
+
 /// The surface psi = 0 within a box, closed, or open where the box cuts it if `open`; cells about
 /// `voxel` wide [m].
 Surface surface(const Shape& shape, const Bounds& within, double voxel, bool open);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "measure/cycles.hpp"
 
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double slip_bound = 0.05;    ///< of the largest speed
 constexpr double strain_bound = 0.10;  ///< of an edge
+constexpr double depth_bound = 0.1;    ///< of the smallest edge of a cell
 
 /// Largest value of a column; none where it is missing or empty.
 std::optional<double> largest(const RunRecord& run, const std::string& name) {
@@ -39,6 +41,13 @@ std::optional<double> sampled_slip(const RunRecord& run) {
   for (std::size_t i = 0; i < slip->values.size(); ++i)
     if (speed->values[i] > 0) most = std::max(slip->values[i] / speed->values[i], most.value_or(0));
   return most;
+}
+
+double smallest_cell_edge(const Case& whole) {
+  double edge = std::numeric_limits<double>::infinity();
+  for (int d = 0; d < whole.dimension; ++d)
+    edge = std::min(edge, whole.domain.size[d] / whole.domain.cells[static_cast<std::size_t>(d)]);
+  return edge;
 }
 
 using Sentences = std::vector<std::string>;
@@ -101,9 +110,14 @@ void warn_of_cloth(const RunRecord& run, Sentences& found) {
                     "strain, which holds "
                     "below {:.0f} %.",
                     100 * *strain, 100 * strain_bound));
+  if (!run.definition) return;
   const auto depth = summary_number(run, {"coupling", "deepest penetration of a solid [m]"});
-  if (depth.value_or(0) > 0)
-    found.push_back(fmt::format("A node of the cloth was {:.2g} m inside a solid.", *depth));
+  const double edge = smallest_cell_edge(*run.definition);
+  if (depth.value_or(0) > depth_bound * edge)
+    found.push_back(
+        fmt::format("A node of the cloth was {:.2g} m inside a solid, {:.0f} % of a cell's edge; "
+                    "below {:.0f} % is good.",
+                    *depth, 100 * *depth / edge, 100 * depth_bound));
 }
 
 void warn_of_pressure(const RunRecord& run, Sentences& found) {

@@ -62,7 +62,6 @@ void set_scales(CaseFile& file, const Node&, int dimension) {
   if (scale.height == 0) scale.height = dimension == 3 ? whole.domain.size.z() : 1;
   scale.speed = fastest_drive(whole);
   if (scale.speed == 0) scale.speed = wall / scale.length;
-  if (scale.speed == 0) scale.speed = 1;
   for (const SolidCase& solid : whole.solids)
     scale.period = std::max(scale.period, solid.drive.period());
 }

@@ -129,7 +129,7 @@ struct OutputCase {
 /// Scales of the dimensionless groups, Eqs. (17)-(19).
 struct ScaleCase {
   double length = 0;  ///< r_o [m]
-  double speed = 0;   ///< omega_max [rad/s]
+  double speed = 0;   ///< omega_max [rad/s]; 0 = none
   double height = 0;  ///< H [m]; 1 in 2-D
   double period = 0;  ///< of the drive [s]; 0 = none
 };

@@ -81,8 +81,9 @@ Table<ScaleCase> scale_table() {
   Table<ScaleCase> table("Scales of the dimensionless groups, Eqs. (17)-(19).");
   table.key("length", &ScaleCase::length, quantity(measure::length, above(0)), "r_o")
       .fallback("tub radius, or half the box's x size")
-      .key("speed", &ScaleCase::speed, quantity(measure::angular_speed, above(0)), "omega_max")
-      .fallback("fastest drive or wall, or 1 rad/s")
+      .key("speed", &ScaleCase::speed, quantity(measure::angular_speed, at_least(0)),
+           "omega_max; 0 rad/s for none")
+      .fallback("fastest drive, wall or inflow")
       .key("height", &ScaleCase::height, quantity(measure::length, above(0)), "H")
       .fallback("water depth, or the box's z size; 1 m in 2-D");
   return table;

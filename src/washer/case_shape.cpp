@@ -196,7 +196,7 @@ Table<SolidSpec> solid_table() {
       "A rigid solid: a shape in its own frame, whose origin is at `centre` and about whose "
       "vertical it turns. Repeat `[[solid]]` for several. One named \"tub\" or \"agitator\" takes "
       "the place of the one that `[washer]` makes.");
-  table.key("name", &SolidSpec::name, text(), "name in messages and results")
+  table.key("name", &SolidSpec::name, label(), "name in messages and results")
       .required()
       .key("shape", &SolidSpec::shape, shape_kinds().format(), "see the kinds of shape below")
       .required()

@@ -10,7 +10,7 @@ Table<ProbeCase> probe_table() {
   Table<ProbeCase> table(
       "A node of cloth whose place goes into history.csv, as the columns \"name x\" and so on. "
       "Repeat `[[probe]]` for several.");
-  table.key("name", &ProbeCase::name, text(), "of its columns")
+  table.key("name", &ProbeCase::name, label(), "of its columns")
       .required()
       .key("piece", &ProbeCase::piece, integer(between(1, 1000000)),
            "number of the piece among all, from 1")

@@ -83,6 +83,12 @@ std::string output_text(const OutputCase& output) {
                      output.window_begin, output.window_end);
 }
 
+std::string scales_text(const ScaleCase& scale) {
+  const std::string speed =
+      scale.speed > 0 ? fmt::format("omega_max = {:.6g} rad/s", scale.speed) : "no speed";
+  return fmt::format("r_o = {:.6g} m, {}, H = {:.6g} m", scale.length, speed, scale.height);
+}
+
 }  // namespace
 
 std::string sides_text(const Case& whole) {
@@ -109,12 +115,10 @@ std::string drive_text(const Drive& drive) {
 }
 
 std::vector<Fact> describe(const Case& whole) {
-  const ScaleCase& scale = whole.scale;
   std::vector<Fact> facts = {
       {"grid", grid_text(whole)},
       {"sides", sides_text(whole)},
-      {"scales", fmt::format("r_o = {:.6g} m, omega_max = {:.6g} rad/s, H = {:.6g} m", scale.length,
-                             scale.speed, scale.height)}};
+      {"scales", scales_text(whole.scale)}};
   for (const SolidCase& solid : whole.solids)
     facts.push_back({"solid", fmt::format("{}: {}", solid.name, drive_text(solid.drive))});
   for (const ClothCase& cloth : whole.cloth) facts.push_back({"cloth", cloth_text(cloth, whole)});

@@ -56,14 +56,15 @@ bool all_alike(const Case& whole) {
 
 }  // namespace
 
-Scales scales(const Case& whole) {
+std::optional<Scales> scales(const Case& whole) {
   const double r = whole.scale.length, w = whole.scale.speed;
   if (r <= 0 || w <= 0) return {};
   const double stress = whole.fluid.density * r * r * w * w;
-  return {stress, stress * r * r * (whole.dimension == 3 ? whole.scale.height : 1)};
+  return Scales{stress, stress * r * r * (whole.dimension == 3 ? whole.scale.height : 1)};
 }
 
 std::vector<Group> groups(const Case& whole) {
+  if (!scales(whole)) return {};
   std::vector<Group> result = groups_of_water(whole);
   const std::size_t kinds = whole.cloth.empty() ? 0 : all_alike(whole) ? 1 : whole.cloth.size();
   for (std::size_t i = 0; i < kinds; ++i)

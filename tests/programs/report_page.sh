@@ -18,16 +18,16 @@ trap 'rm -rf "$work"' EXIT
 
 quietly() { "$@" >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }; }
 
-# small_run NAME DIMENSION CELLS SETTING: a cycle and a half in 25 frames, with its report.
+# small_run NAME DIMENSION CELLS SETTING END: up to a cycle and a half, frames every 0.1 s, a report.
 small_run() {
   quietly "$program" run "$root/cases/wash-$2d/case.toml" -o "$work/$1" -n 1 \
-    --set domain.cells="$3" --set "$4" --set 'time.end=2.4 s' --set 'output.frames=0.1 s' \
-    --set 'output.window=["0.8 s", "2.4 s"]'
+    --set domain.cells="$3" --set "$4" --set "time.end=$5 s" --set 'output.frames=0.1 s' \
+    --set "output.window=[\"0.8 s\", \"$5 s\"]"
 }
 
-small_run space 3 16 cloth.seed=1
-small_run seed 3 16 cloth.seed=2
-small_run plane 2 64 domain.mapping=sharp
+small_run space 3 16 cloth.seed=1 2.4
+small_run seed 3 16 cloth.seed=2 1.6
+small_run plane 2 64 domain.mapping=sharp 2.4
 quietly "$program" compare "$work/space" "$work/seed" -o "$work/comparison.html"
 
 WASHTUB_PAGE_3D=$work/space/report.html WASHTUB_PAGE_2D=$work/plane/report.html \
