@@ -51,10 +51,18 @@ async function openPage(browser) {
   });
   await page.goto(pathToFileURL(options.page).href);
   await page
-    .waitForFunction(() => window.washtub?.frames > 0, null, { timeout: 120_000 })
+    .waitForFunction(() => window.washtub || document.querySelector('[role=alert]'), null, {
+      timeout: 120_000,
+    })
     .catch(() => {
       throw new Failure('the page of the report does not come up');
     });
+  const trouble = await page.evaluate(() =>
+    window.washtub?.frames > 0
+      ? null
+      : (document.querySelector('[role=alert]')?.textContent ?? 'there are no frames'),
+  );
+  if (trouble) throw new Failure(`the page of the report says: ${trouble}`);
   const wished = { ...(colour && { colour }), ...(slice && { slice }) };
   await page.evaluate((change) => window.washtub.set(change), wished);
   return page;

@@ -16,6 +16,7 @@
 
 #include "app/commands.hpp"
 #include "app/movie_tools.hpp"
+#include "app/protect.hpp"
 #include "app/stop.hpp"
 #include "base/error.hpp"
 #include "base/units.hpp"
@@ -54,11 +55,8 @@ class PartialFile {
  public:
   explicit PartialFile(const std::string& target) : target_(target), path_(target + ".part") {
     const int file = open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    const int reason = fs::is_directory(target) ? EISDIR : errno;
-    if (file >= 0) close(file);
-    if (file >= 0 && !fs::is_directory(target)) return;
-    if (file >= 0) fs::remove(path_);
-    throw InputError(cannot_write(target, reason));
+    if (file < 0) throw InputError(cannot_write(target, errno));
+    close(file);
   }
   ~PartialFile() {
     std::error_code ignored;
@@ -101,23 +99,29 @@ nlohmann::json seconds(const char* option, const std::string& text) {
 /// What viewer/movie.mjs is asked for, but for the files.
 nlohmann::json wishes(const MovieArguments& arguments) {
   const auto [width, height] = pixels(arguments.size);
+  const auto from = seconds("--from", arguments.from), to = seconds("--to", arguments.to);
+  if (from.is_number() && to.is_number() && from.get<double>() > to.get<double>())
+    throw InputError(
+        fmt::format("--from \"{}\": is later than --to \"{}\"", arguments.from, arguments.to));
   return {{"width", width},
           {"height", height},
           {"fps", arguments.fps},
           {"speed", arguments.speed},
-          {"from", seconds("--from", arguments.from)},
-          {"to", seconds("--to", arguments.to)},
+          {"from", from},
+          {"to", to},
           {"colour", arguments.colour},
           {"slice", arguments.slice}};
 }
 
 void make_page(const std::string& directory, const std::string& file) {
   PageContent content;
-  content.program = "washtub " WASHTUB_VERSION;
+  content.program = program_name;
   content.runs.push_back(read_run(directory));
-  if (write_page(file, content, page_limit).frames == 0)
+  const PageSize page = write_page(file, content, page_limit);
+  if (page.frames == 0)
     throw InputError(fmt::format(
         "{}: has no frames to show; a run writes them where output.frames is set", directory));
+  for (const std::string& sentence : page.notes) fmt::print(stderr, "{}\n", sentence);
 }
 
 /// Becomes Node.js with the script; the terminal's Ctrl-C reaches only the command, which tells it.
@@ -127,6 +131,7 @@ void make_page(const std::string& directory, const std::string& file) {
   std::string program = tools.node, script = tools.script;
   char* const words[] = {program.data(), script.data(), options.data(), nullptr};
   execv(words[0], words);
+  fmt::print(stderr, "washtub: {} cannot be started: {}\n", program, std::strerror(errno));
   _exit(127);
 }
 
@@ -155,6 +160,7 @@ int command_movie(const MovieArguments& arguments) {
   const std::string target = arguments.file.empty()
                                  ? (fs::path(arguments.directory) / "movie.mp4").string()
                                  : arguments.file;
+  protect_movie(target);
   install_stop_handlers();
   const PartialFile movie(target);
   const TemporaryFolder folder;

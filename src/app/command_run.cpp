@@ -47,15 +47,13 @@ bool all_failed() {
   return done != 0;
 }
 
-/// Ends quietly where every rank failed alike, else ends the others too. `last_words` are for one
-/// rank only.
+/// Ends quietly where every rank failed alike, else ends the others too. `last_words` are those of
+/// the first rank.
 template <class LastWords>
 int fail(const char* message, int code, const LastWords& last_words) {
   const bool together = all_failed();
-  if (!together || rank() == 0) {
-    print_error(message);
-    last_words();
-  }
+  if (!together || rank() == 0) print_error(message);
+  if (rank() == 0) last_words();
   if (!together) MPI_Abort(MPI_COMM_WORLD, code);
   return code;
 }
@@ -77,12 +75,14 @@ void prepare_once(const RunOptions& options) {
   if (!good) throw InputError(message);
 }
 
-/// One rank of the simulation.
+/// One rank of the simulation. Ranks that command_run has launched leave the report to it, since
+/// any of them may be the one that fails.
 int simulate(const RunArguments& arguments, const RunOptions& options) {
+  const bool launched = inside_mpi() && std::getenv(prepared_mark);
   const Mpi mpi;
   install_stop_handlers();
   const auto report = [&] {
-    if (arguments.report) report_run(options.directory);
+    if (arguments.report && !launched) report_run(options.directory);
   };
   try {
     const Case whole = read_case(arguments.input.path, arguments.input.settings);
@@ -140,7 +140,10 @@ int command_run(const RunArguments& arguments) {
   protect_case(arguments.input.path, options.directory);
   prepare_directory(options.directory, options.force);
   setenv(prepared_mark, "1", 1);
-  return ranks == 1 ? simulate(arguments, options) : launch_ranks(ranks, arguments.all);
+  if (ranks == 1) return simulate(arguments, options);
+  const int code = launch_ranks(ranks, arguments.all);
+  if (arguments.report && code != 2) report_run(options.directory);
+  return code;
 }
 
 }  // namespace washtub

@@ -93,7 +93,7 @@ void prepare_results(const std::string& directory) {
 
 Report make_report(std::vector<CaseRuns>&& cases, const RunPlan& plan) {
   Report report;
-  report.program = "washtub " WASHTUB_VERSION;
+  report.program = program_name;
   report.level = plan.level;
   report.interrupted = plan.stop();
   for (CaseRuns& c : cases) {

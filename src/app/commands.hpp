@@ -7,6 +7,8 @@
 
 namespace washtub {
 
+constexpr const char* program_name = "washtub " WASHTUB_VERSION;
+
 /// What the command line gives of a case.
 struct CaseArguments {
   std::string path;

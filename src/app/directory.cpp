@@ -29,10 +29,10 @@ void protect_case(const std::string& case_path, const std::string& directory) {
 
 namespace {
 
-/// Everything a run writes.
-constexpr const char* results[] = {"case.toml",      "history.csv", "tracks.csv",
-                                   "summary.json",   "log.txt",     "frames.xdmf",
-                                   "paraview.xdmf2", "frames",      "report.html"};
+/// Everything that is written of a run.
+constexpr const char* results[] = {"case.toml",   "history.csv", "tracks.csv",     "summary.json",
+                                   "log.txt",     "frames.xdmf", "paraview.xdmf2", "frames",
+                                   "report.html", "movie.mp4"};
 
 }  // namespace
 
@@ -48,7 +48,10 @@ void prepare_directory(const std::string& directory, bool force) {
     throw InputError(fmt::format(
         "{}: holds results already; name another directory with -o, or overwrite them with --force",
         directory));
-  for (const char* name : results) fs::remove_all(fs::path(directory) / name, error);
+  for (const char* name : results) {
+    fs::remove_all(fs::path(directory) / name, error);
+    fs::remove(fs::path(directory) / fmt::format("{}.part", name), error);
+  }
 }
 
 }  // namespace washtub

@@ -40,7 +40,7 @@ std::string siblings(int cpu) {
 
 std::vector<std::string> mpirun_command(int ranks) {
   std::vector<std::string> command = {"mpirun", "--quiet", "-n", std::to_string(ranks)};
-  if (geteuid() == 0) command.push_back("--allow-run-as-root");
+  if (geteuid() == 0) command.emplace_back("--allow-run-as-root");
   if (ranks <= physical_cores()) {
     command.insert(command.end(), {"--bind-to", "core"});
   } else {
@@ -99,6 +99,9 @@ int launch_ranks(int ranks, const std::vector<std::string>& arguments) {
   if (child == 0) become(command);
   launcher = child;
   const int code = wait_for(child);
+  launcher = 0;
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
   if (code == 127) throw RunError("mpirun cannot be started; install openmpi-bin or use -n 1");
   return code;
 }

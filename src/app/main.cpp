@@ -121,7 +121,7 @@ void check_command(const CLI::App& app, const std::string& word) {
 /// Reads the command line and runs the command. Returns the exit code.
 int command_line(int argc, char** argv) {
   CLI::App app("Washtub: how water moves clothes in a washing machine");
-  app.set_version_flag("--version", "washtub " WASHTUB_VERSION);
+  app.set_version_flag("--version", program_name);
   app.require_subcommand(1);
   RunArguments run;
   run.all.assign(argv, argv + argc);

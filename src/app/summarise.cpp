@@ -134,7 +134,8 @@ Json cloth_summary(const Simulation<D>& simulation, const Observer<D>& observer)
       {"bending stress", stress_part(observer.stress().bending(), scale)},
       {"scatter about the common centre [m]", observer.scatter().common()},
       {"scatter about each piece's own centre [m]", observer.scatter().own()},
-      {"scatter about the common centre in each cycle [m]", of_cycles(observer, &Scatter::common_about)},
+      {"scatter about the common centre in each cycle [m]",
+       of_cycles(observer, &Scatter::common_about)},
       {"scatter about each piece's own centre in each cycle [m]",
        of_cycles(observer, &Scatter::own_about)},
       {"centre (r, z) [m]", {observer.scatter().centre()[0], observer.scatter().centre()[1]}}};
@@ -179,8 +180,7 @@ nlohmann::ordered_json summarise(const Simulation<D>& simulation, const Observer
                      {"nodes held off solids per step", static_cast<double>(e.touched) / steps}};
   j["window [s]"] = {observer.window().begin, observer.window().end};
   if (const auto scale = scales(c))
-    j["scales"] = {{"sigma_o [Pa]", scale->stress},
-                   {"tau_o [N m]", scale->torque}};
+    j["scales"] = {{"sigma_o [Pa]", scale->stress}, {"tau_o [N m]", scale->torque}};
   const auto& solids = simulation.mapping().solids();
   j["solids"] = Json::array();
   for (std::size_t s = 0; s < solids.size(); ++s)

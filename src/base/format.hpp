@@ -43,8 +43,8 @@ Format<int> integer(const Range& range = any());
 Format<std::uint64_t> seed();
 Format<bool> boolean();
 Format<std::string> text();
-/// A name that can stand at the head of a column: not empty, and without `,` `[` `]` `"` and control
-/// characters.
+/// A name that can stand at the head of a column: not empty, and without `,` `[` `]` `"` and
+/// control characters.
 Format<std::string> label();
 
 /// One quantity per axis.

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 #include "base/document.hpp"
 #include "base/error.hpp"
@@ -23,17 +25,28 @@ std::vector<std::string> fields_of(const std::string& line) {
   return fields;
 }
 
-/// NaN for an empty field.
-double number_of(const std::string& field, const std::string& path, std::size_t line) {
+/// NaN for an empty field; nothing where it is no number.
+std::optional<double> parse_number(const std::string& field) {
   if (field.empty()) return std::nan("");
   char* end = nullptr;
   const double value = std::strtod(field.c_str(), &end);
-  if (*end != '\0') throw InputError(fmt::format("{}:{}: \"{}\" is no number", path, line, field));
-  return value;
+  return end == field.c_str() + field.size() ? std::optional(value) : std::nullopt;
+}
+
+double number_of(const std::string& field, const std::string& path, std::size_t line) {
+  if (const auto value = parse_number(field)) return *value;
+  throw InputError(fmt::format("{}:{}: \"{}\" is no number", path, line, field));
+}
+
+bool is_sound(const std::string& line, std::size_t columns) {
+  const auto fields = fields_of(line);
+  const auto is_number = [](const std::string& field) { return parse_number(field).has_value(); };
+  return fields.size() == columns && std::all_of(fields.begin(), fields.end(), is_number) &&
+         std::isfinite(*parse_number(fields[0]));
 }
 
 CsvTable::Column empty_column(const std::string& header) {
-  const auto gap = header.find(" [");
+  const auto gap = header.rfind(" [");
   if (gap == std::string::npos || !header.ends_with(']')) return {header, "", {}};
   return {header.substr(0, gap), header.substr(gap + 2, header.size() - gap - 3), {}};
 }
@@ -80,6 +93,22 @@ const CsvTable::Column& CsvTable::column(const std::string& name) const {
   throw InputError(fmt::format("{}: no column {}, {}", path_, quoted(name),
                                nearest.empty() ? fmt::format("there are {}", fmt::join(names, ", "))
                                                : "nearest: " + quoted(nearest)));
+}
+
+SoundRows sound_rows(const std::string& text) {
+  SoundRows sound;
+  std::size_t columns = 0, number = 1, begin = 0;
+  for (std::size_t end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1) {
+    const std::string line = text.substr(begin, end - begin);
+    if (number == 1) columns = fields_of(line).size();
+    if (number == 1 || is_sound(line, columns))
+      sound.text += line + '\n';
+    else if (sound.damaged++ == 0)
+      sound.first_damaged = number;
+    ++number;
+  }
+  sound.cut = begin < text.size();
+  return sound;
 }
 
 CsvTable read_table(const std::string& path) { return {path, read_file(path)}; }

@@ -36,6 +36,16 @@ class CsvTable {
   bool cut_ = false;
 };
 
+/// What is sound in the text of such a file.
+struct SoundRows {
+  std::string text;               ///< "" where there is no whole header line
+  std::size_t damaged = 0;        ///< rows left out: other fields than the header's, or no numbers,
+  std::size_t first_damaged = 0;  ///< or no finite number first; line of the first of them
+  bool cut = false;               ///< whether a last line without its end was left out
+};
+
+SoundRows sound_rows(const std::string& text);
+
 /// @throws InputError where the file cannot be read either
 CsvTable read_table(const std::string& path);
 

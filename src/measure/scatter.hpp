@@ -33,7 +33,7 @@ class Scatter {
 
   const Interval& window() const { return window_; }
   double common() const { return common_about(*this); }  ///< r' about the common centre [m]
-  double own() const { return own_about(*this); }  ///< r' about each piece's own centre [m]
+  double own() const { return own_about(*this); }        ///< r' about each piece's own centre [m]
   /// The same about the centres of another window, mostly one that holds this one: over its whole
   /// cycles the mean of the squares of their scatter is the square of its own [m].
   double common_about(const Scatter& other) const;

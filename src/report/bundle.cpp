@@ -100,7 +100,8 @@ Json head(const RunRecord& run, const FrameSet& frames, Chunks& chunks,
   index["case"] = run.case_text;
   index["box"] = {{"lower", triple(whole.lower)}, {"upper", triple(whole.upper)}};
   index["free_surface"] = run.definition && has_free_surface(*run.definition);
-  index["solids"] = run.definition ? solids_index(*run.definition, whole, chunks, notes) : Json::array();
+  index["solids"] =
+      run.definition ? solids_index(*run.definition, whole, chunks, notes) : Json::array();
   index["cloth"] = cloth_index(frames);
   return index;
 }
@@ -174,7 +175,7 @@ class Bundler {
         frames_(read_frames(run.directory)),
         known_(notes(run, frames_)) {
     out_.index = head(run, frames_, chunks, known_);
-    water_ = find_water(run, frames_, known_);
+    if (auto water = find_water(run, frames_, known_)) water_.emplace(std::move(*water));
     own_ = chunks.texts().size();
     whole_ = {frames_.size(), water_ ? frames_.cells : std::array<int, 3>{},
               row_count(run.tracks_text), row_count(run.history_text)};
@@ -204,11 +205,10 @@ class Bundler {
     index["tracks"] = rows_chunk(run_.tracks_text, plan.tracks_every, chunks_);
     index["frames"] = frames_index(frames_, water_, plan, chunks_);
     drop_resting(run_, index["frames"]["angles"]);
-    out_.thinned = thinning_notes(plan, whole_);
-    std::vector<std::string> all = known_;
-    all.insert(all.end(), out_.thinned.begin(), out_.thinned.end());
-    if (const std::string bad = bad_water(water_); !bad.empty()) all.push_back(bad);
-    index["notes"] = all;
+    out_.notes = known_;
+    for (const std::string& note : thinning_notes(plan, whole_)) out_.notes.push_back(note);
+    if (const std::string bad = bad_water(water_); !bad.empty()) out_.notes.push_back(bad);
+    index["notes"] = out_.notes;
     out_.bytes = used();
     out_.frames = kept(frames_.size(), plan.frames_every).size();
   }

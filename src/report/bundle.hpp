@@ -10,10 +10,10 @@ namespace washtub {
 
 /// A run as a page carries it.
 struct RunBundle {
-  nlohmann::ordered_json index;  ///< RunIndex of viewer/src/model/bundle.ts
-  std::size_t frames = 0;        ///< shown
-  std::size_t bytes = 0;         ///< that index and chunks take in the page
-  std::vector<std::string> thinned;  ///< sentences on what was left out to fit
+  nlohmann::ordered_json index;      ///< RunIndex of viewer/src/model/bundle.ts
+  std::size_t frames = 0;            ///< shown
+  std::size_t bytes = 0;             ///< that index and chunks take in the page
+  std::vector<std::string> notes;  ///< sentences on what is missing and what was left out to fit
 };
 
 /// Makes the index of a run and adds its data to the chunks, thinned as far as needed to take

@@ -40,12 +40,23 @@ const RunQuantity* named(const std::vector<RunQuantity>& quantities, const std::
   return nullptr;
 }
 
+/// Largest of what the mean is made of.
+double magnitude(const RunQuantity& quantity) {
+  double largest = std::abs(quantity.mean);
+  for (const double value : quantity.batches) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
 std::optional<AgainstFirst> against(const std::optional<RunQuantity>& first,
                                     const std::optional<RunQuantity>& other) {
-  if (!first || !other || first->mean == 0) return {};
+  constexpr double rounding = 1e-6;  // the files hold nine digits, and sums round differently
+  if (!first || !other) return {};
   AgainstFirst result;
-  result.difference = other->mean - first->mean;
-  result.percent = 100 * result.difference / std::abs(first->mean);
+  const double difference = other->mean - first->mean;
+  if (std::abs(difference) > rounding * std::max(magnitude(*first), magnitude(*other)))
+    result.difference = difference;
+  result.relative = std::abs(first->mean) > rounding * magnitude(*first);
+  if (result.relative) result.percent = 100 * result.difference / std::abs(first->mean);
   const double half_width = welch(first->batches, other->batches).half_width;
   if (std::isfinite(half_width)) result.half_width = half_width;
   return result;
@@ -71,19 +82,37 @@ std::vector<CompareRow> rows_of(const std::vector<std::vector<RunQuantity>>& run
 }
 
 /// Two digits, and none after the point from ten on.
-std::string number(double percent, bool with_sign = false) {
-  const std::string text = std::abs(percent) < 9.95 ? fmt::format("{:.2g}", std::abs(percent))
-                                                    : fmt::format("{:.0f}", std::abs(percent));
-  return percent < 0 ? '-' + text : with_sign ? '+' + text : text;
+std::string rough(double percent) {
+  return percent < 9.95 ? fmt::format("{:.2g}", percent) : fmt::format("{:.0f}", percent);
 }
 
-/// "-3 % to +8 %", of the first run's value; for how much lower it is, the other way round.
-std::string interval_text(const AgainstFirst& difference, bool with_sign) {
-  const double width =
-      *difference.half_width * std::abs(difference.percent / difference.difference);
-  const double middle = with_sign ? difference.percent : std::abs(difference.percent);
-  return fmt::format("{} % to {} %", number(middle - width, with_sign),
-                     number(middle + width, with_sign));
+/// A difference in per cent of the first run's value, or in the quantity's unit where that is 0.
+struct Difference {
+  double value = 0;
+  std::optional<double> width;
+  std::string unit;
+
+  /// "12.0 %"
+  std::string text() const {
+    const double size = std::abs(value);
+    return fmt::format("{} {}", width ? as_exact(size, width) : rough(size), unit);
+  }
+  /// "-3.1 % to +8.2 %"; for how much lower it is without signs and the other way round.
+  std::string interval(bool with_sign) const {
+    const double middle = with_sign ? value : std::abs(value);
+    const auto end = [&](double at) {
+      return fmt::format("{}{}", with_sign && at > 0 ? "+" : "", as_exact(at, width));
+    };
+    return fmt::format("{} {} to {} {}", end(middle - *width), unit, end(middle + *width), unit);
+  }
+};
+
+Difference shown(const AgainstFirst& difference, const CompareRow& row) {
+  if (!difference.relative) return {difference.difference, difference.half_width, row.unit};
+  Difference result{difference.percent, {}, "%"};
+  if (difference.half_width)
+    result.width = 100 * *difference.half_width / std::abs(row.values[0]->mean);
+  return result;
 }
 
 /// What keeps a difference from being told: the run whose window is too short.
@@ -100,38 +129,49 @@ std::string difference_sentence(const CompareRow& row, std::size_t run,
   const std::string &first = names[0], &other = names[run];
   if (!values[0] && !values[run]) return "";
   if (!values[0] || !values[run])
-    return fmt::format("{}: {} does not have it.", row.name, values[0] ? other : first);
-  if (!row.against[run])
-    return fmt::format("{}: {:.4g} {} in {}, 0 in {}.", row.name, values[run]->mean, row.unit,
-                       other, first);
+    return fmt::format("{}: not known for {}.", row.name, values[0] ? other : first);
   const AgainstFirst& difference = *row.against[run];
-  const char* way = difference.percent > 0 ? "higher" : "lower";
-  if (!difference.significant())
-    return fmt::format(
-        "{}: {} % {} in {} than in {}, but whether that is chance cannot be "
-        "told, {}.",
-        row.name, number(std::abs(difference.percent)), way, other, first, reason(row, run, names));
+  const Difference text = shown(difference, row);
+  const char* way = difference.difference > 0 ? "higher" : "lower";
   if (difference.difference == 0)
     return fmt::format("{}: the same in {} and {}.", row.name, other, first);
+  if (!difference.significant())
+    return fmt::format(
+        "{}: {} {} in {} than in {}, but whether that is chance cannot be "
+        "told, {}.",
+        row.name, text.text(), way, other, first, reason(row, run, names));
   if (!*difference.significant())
-    return fmt::format("{}: no significant difference of {} from {} (95 % interval {}).", row.name,
-                       other, first, interval_text(difference, true));
-  return fmt::format("{}: {} % {} in {} than in {} (95 % interval {}).", row.name,
-                     number(std::abs(difference.percent)), way, other, first,
-                     interval_text(difference, false));
+    return fmt::format(
+        "{}: no significant difference, {} {} in {} than in {} may be chance (95 % interval {}).",
+        row.name, text.text(), way, other, first, text.interval(true));
+  return fmt::format("{}: {} {} in {} than in {} (95 % interval {}).", row.name, text.text(), way,
+                     other, first, text.interval(false));
 }
 
 constexpr const char* closing[] = {
     "A difference is called significant where its 95 % interval leaves out zero: about one in "
     "twenty such differences appears by chance where there is none.",
-    "The intervals come from the cycles of one run each. They do not tell how much the result "
+    "The intervals come from the cycles of one run each, without a drive from eighths of its "
+    "window. "
+    "They do not tell how much the result "
     "depends on where the cloth starts; runs with other seeds do."};
 
 }  // namespace
 
+std::string as_exact(double value, std::optional<double> width) {
+  if (!width || !(*width > 0)) return fmt::format("{:.4g}", value);
+  const int places = 1 - static_cast<int>(std::floor(std::log10(*width)));
+  const double size = std::max(std::abs(value), *width);
+  const double last = std::pow(10.0, std::max(0, -places));
+  const double whole = last > 1 ? std::round(value / last) * last : value;
+  if (size < 1e6 && size >= 1e-3) return fmt::format("{:.{}f}", whole, std::clamp(places, 0, 9));
+  const int digits = static_cast<int>(std::floor(std::log10(size))) + places;
+  return fmt::format("{:.{}e}", value, std::clamp(digits, 1, 9));
+}
+
 std::optional<bool> AgainstFirst::significant() const {
   if (!half_width) return {};
-  return std::abs(difference) > *half_width;
+  return difference != 0 && std::abs(difference) > *half_width;
 }
 
 void prepare_comparison(std::vector<RunRecord>& runs) {
@@ -143,11 +183,12 @@ void prepare_comparison(std::vector<RunRecord>& runs) {
       if (fs::equivalent(runs[i].directory, runs[j].directory, error))
         throw InputError(fmt::format("{} and {} are the same directory; name each run once",
                                      runs[j].directory, runs[i].directory));
-    if (dimension(runs[i]) != dimension(runs[0]))
-      throw InputError(fmt::format(
-          "{} is {}-D and {} is {}-D: their quantities have different units; compare "
-          "runs of one dimension",
-          runs[0].directory, dimension(runs[0]), runs[i].directory, dimension(runs[i])));
+    const auto first = known_dimension(runs[0]), other = known_dimension(runs[i]);
+    if (first && other && *first != *other)
+      throw InputError(
+          fmt::format("{} is {}-D and {} is {}-D: their quantities have different units; compare "
+                      "runs of one dimension",
+                      runs[0].directory, *first, runs[i].directory, *other));
   }
   for (int parts = 2; !all_differ(runs) && parts < 100; ++parts)
     for (RunRecord& run : runs) run.name = last_parts(run.directory, parts);
@@ -171,7 +212,7 @@ RunComparison compare(const std::vector<RunRecord>& runs) {
     if (outcome(run) != "complete")
       result.sentences.push_back(
           fmt::format("{} did not reach its end: {}.", run.name, outcome(run)));
-  if (result.rows.empty()) result.sentences.push_back("The runs have no statistics to compare.");
+  if (result.rows.empty()) result.sentences.emplace_back("The runs have no statistics to compare.");
   result.sentences.insert(result.sentences.end(), std::begin(closing), std::end(closing));
   return result;
 }

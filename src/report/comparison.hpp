@@ -10,9 +10,11 @@ namespace washtub {
 
 /// A quantity of one run against that of the first run.
 struct AgainstFirst {
-  double difference = 0;             ///< [unit of the quantity]
+  /// [unit of the quantity]; 0 also where it is less than 1e-6 of the values: they are the same
+  double difference = 0;
   std::optional<double> half_width;  ///< 95 %, by Welch's method; none: cannot be told
-  double percent = 0;                ///< the difference, of the first run's value
+  bool relative = true;              ///< whether the first run's value is more than rounding
+  double percent = 0;  ///< the difference, of the first run's value; 0 if not relative
   /// Whether zero lies outside of difference +- half_width.
   std::optional<bool> significant() const;
 };
@@ -22,7 +24,7 @@ struct CompareRow {
   std::string name, unit;
   std::vector<std::optional<RunQuantity>> values;    ///< one per run
   std::vector<std::optional<AgainstFirst>> against;  ///< one per run; none for the first, and where
-                                                     ///< either lacks it or the first one's is 0
+                                                     ///< either lacks it
 };
 
 struct RunComparison {
@@ -34,6 +36,10 @@ struct RunComparison {
 /// Gives runs of the same name longer ones, "fast/wash" and "slow/wash", until all differ.
 /// @throws InputError with fewer than two, with one directory twice, or where 2-D meets 3-D
 void prepare_comparison(std::vector<RunRecord>& runs);
+
+/// A number down to the second digit of `width`: "12.30" for a width of 0.21, "168000" for 25000;
+/// four digits where the width is not known.
+std::string as_exact(double value, std::optional<double> width);
 
 /// The quantities of the runs by name, and how the others differ from the first.
 RunComparison compare(const std::vector<RunRecord>& runs);

@@ -31,8 +31,7 @@ Json positions_index(const FrameSet& frames, const Numbers& shown,
 Json stress_index(const std::vector<std::vector<float>>& stress, const Numbers& shown,
                   Chunks& chunks) {
   double largest = 0;
-  for (const std::size_t f : shown)
-    largest = std::max(largest, largest_magnitude(stress[f]));
+  for (const std::size_t f : shown) largest = std::max(largest, largest_magnitude(stress[f]));
   Deflater values;
   for (const std::size_t f : shown) {
     std::vector<std::uint16_t> small;
@@ -103,7 +102,8 @@ double FrameEstimate::bytes(const Thinning& thinning) {
   if (!water_ || thinning.water_every == 0) return share * cloth_;
   const int c = thinning.coarsenings;
   if (!water_each_.contains(c)) water_each_[c] = water_->bytes_per_frame(c);
-  return share * cloth_ + water_each_[c] * static_cast<double>(kept(frames_, thinning.water_every).size());
+  return share * cloth_ +
+         water_each_[c] * static_cast<double>(kept(frames_, thinning.water_every).size());
 }
 
 }  // namespace washtub

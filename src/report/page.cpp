@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numeric>
 #include <string_view>
-#include <utility>
 
 #include "base/error.hpp"
 #include "io/file.hpp"
@@ -46,9 +45,9 @@ struct Draft {
   std::size_t add(const RunRecord& run, std::size_t room) {
     RunBundle one = bundle(run, chunks, room);
     size.frames += one.frames;
-    size.thinned.insert(size.thinned.end(), one.thinned.begin(), one.thinned.end());
+    size.notes.insert(size.notes.end(), one.notes.begin(), one.notes.end());
     index["runs"].push_back(std::move(one.index));
-    return one.bytes + 1;
+    return one.bytes;
   }
 };
 
@@ -64,32 +63,44 @@ std::string assemble(const Draft& draft) {
   return page;
 }
 
+/// What the runs need at least; `smallest` becomes the page of that.
+std::vector<std::size_t> least_sizes(const std::vector<RunRecord>& runs, Draft& smallest) {
+  std::vector<std::size_t> least;
+  for (const RunRecord& run : runs) least.push_back(smallest.add(run, 0) + 1);  // with its comma
+  return least;
+}
+
+/// The page of one run, as near to the limit as it can be.
+Draft compose_one(const PageContent& content, std::size_t limit) {
+  Draft draft(content);
+  const std::size_t fixed = assemble(draft).size();
+  draft.add(content.runs[0], limit - std::min(limit, fixed));
+  return draft;
+}
+
 /// Every run gets what it needs at least, and its share of what is left over by those before it.
 /// The smallest page where that is not enough.
-std::pair<std::string, PageSize> compose(const PageContent& content, std::size_t limit) {
+Draft compose(const PageContent& content, std::size_t limit) {
   const auto& runs = content.runs;
+  if (runs.size() == 1) return compose_one(content, limit);
   Draft draft(content), smallest(content);
-  const std::size_t fixed = assemble(draft).size();
-  std::vector<std::size_t> least(runs.size(), 0);
-  for (std::size_t r = 0; r < runs.size() && runs.size() > 1; ++r)
-    least[r] = smallest.add(runs[r], 0);
-  const std::size_t needed = std::accumulate(least.begin(), least.end(), fixed);
-  if (needed > limit) return {assemble(smallest), smallest.size};
+  const std::vector<std::size_t> least = least_sizes(runs, smallest);
+  const std::size_t needed = std::accumulate(least.begin(), least.end(), assemble(draft).size());
+  if (needed > limit) return smallest;
   std::size_t rest = limit - needed;
   for (std::size_t r = 0; r < runs.size(); ++r) {
-    const std::size_t room = least[r] + rest / (runs.size() - r);
-    const std::size_t taken = draft.add(runs[r], room - std::min<std::size_t>(room, 1));
+    const std::size_t taken = draft.add(runs[r], least[r] - 1 + rest / (runs.size() - r)) + 1;
     rest -= std::min(rest, taken - std::min(taken, least[r]));
   }
-  std::string page = assemble(draft);
-  if (page.size() > limit && runs.size() > 1) return {assemble(smallest), smallest.size};
-  return {std::move(page), draft.size};
+  return assemble(draft).size() > limit ? smallest : draft;
 }
 
 }  // namespace
 
 PageSize write_page(const std::string& path, const PageContent& content, std::size_t limit) {
-  auto [page, size] = compose(content, limit);
+  const Draft draft = compose(content, limit);
+  const std::string page = assemble(draft);
+  PageSize size = draft.size;
   size.bytes = page.size();
   if (size.bytes > limit)
     throw InputError(

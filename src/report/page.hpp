@@ -18,8 +18,8 @@ struct PageContent {
 /// What was written.
 struct PageSize {
   std::size_t bytes = 0;
-  std::size_t frames = 0;  ///< of all runs together, as shown
-  std::vector<std::string> thinned;  ///< sentences on what was left out to stay within the limit
+  std::size_t frames = 0;            ///< of all runs together, as shown
+  std::vector<std::string> notes;  ///< sentences on what is missing and what was left out to fit
 };
 
 /// Writes one self-contained HTML page, thinned as far as needed to stay within `limit` bytes,

@@ -22,10 +22,10 @@ struct RunQuantity {
 };
 
 /// From history.csv: mean stress of the cloth and its parts, mean place of the pieces' centres,
-/// rms torque of every solid, mean power of those that turn, and energy per cycle of those that turn
-/// in cycles. A batch is a whole cycle of the drive, without one an eighth of the window. From the
-/// summary: the scatter of the cloth. Names of solids come first: "agitator rms torque". Quantities without a value are
-/// left out, all of them where the window is not known.
+/// rms torque of every solid, mean power of those that turn, and energy per cycle of those that
+/// turn in cycles. A batch is a whole cycle of the drive, without one an eighth of the window. From
+/// the summary: the scatter of the cloth. Names of solids come first: "agitator rms torque".
+/// Quantities without a value are left out, all of them where the window is not known.
 std::vector<RunQuantity> find_quantities(const RunRecord& run);
 
 /// As the page has it.

@@ -27,8 +27,12 @@ void check_directory(const std::string& directory) {
   const bool empty = fs::is_empty(path, error);
   if (error) throw InputError(fmt::format("{}: cannot be read: {}", directory, error.message()));
   if (empty) throw InputError(fmt::format("{}: is empty; it has no results of a run", directory));
-  for (const char* name : {"case.toml", "history.csv", "frames"})
+  for (const char* name : {"history.csv", "summary.json", "frames"})
     if (fs::exists(path / name, error)) return;
+  if (fs::exists(path / "case.toml", error))
+    throw InputError(
+        fmt::format("{}: has a case but no results; washtub run {} writes them to a directory",
+                    directory, (path / "case.toml").string()));
   throw InputError(
       fmt::format("{}: holds none of case.toml, history.csv and frames; name the directory that "
                   "washtub run has written",
@@ -41,26 +45,30 @@ std::string last_part(const std::string& directory) {
   return name.empty() ? directory : name;
 }
 
-/// The text of a file, "" where there is none; what keeps it from being read is a sentence.
-std::string text_of(RunRecord& run, const char* name) {
+/// The text of a file, "" where there is none: then a sentence says what keeps it from being read,
+/// `absent` where it is not there. No sentence where that is "".
+std::string text_of(RunRecord& run, const char* name, const std::string& absent) {
   const fs::path path = fs::path(run.directory) / name;
   std::error_code error;
-  if (!fs::exists(path, error)) return "";
-  try {
-    return read_file(path.string());
-  } catch (const InputError& problem) {
-    run.missing.push_back(fmt::format("{} cannot be used: {}.", name, problem.what()));
+  if (!fs::exists(path, error) && !error) {
+    if (!absent.empty()) run.missing.push_back(absent);
     return "";
   }
+  std::string text;
+  try {
+    text = read_file(path.string());
+    if (text.empty()) run.missing.push_back(fmt::format("{} is empty.", name));
+  } catch (const InputError& problem) {
+    run.missing.push_back(fmt::format("{} cannot be read: {}.", name, problem.what()));
+  }
+  return text;
 }
 
 void read_definition(RunRecord& run) {
-  run.case_text = text_of(run, "case.toml");
-  if (run.case_text.empty()) {
-    run.missing.push_back(
-        "There is no case.toml: the grid, the drive, the scales and the solids are not known.");
-    return;
-  }
+  run.case_text = text_of(
+      run, "case.toml",
+      "There is no case.toml: the grid, the drive, the scales and the solids are not known.");
+  if (run.case_text.empty()) return;
   try {
     run.definition = read_case((fs::path(run.directory) / "case.toml").string());
   } catch (const std::exception& problem) {
@@ -71,12 +79,10 @@ void read_definition(RunRecord& run) {
 }
 
 void read_summary(RunRecord& run) {
-  const std::string text = text_of(run, "summary.json");
-  if (text.empty()) {
-    run.missing.push_back(
-        "There is no summary.json: the run is still going on, or it was ended from outside.");
-    return;
-  }
+  const std::string text =
+      text_of(run, "summary.json",
+              "There is no summary.json: the run is still going on, or it was ended from outside.");
+  if (text.empty()) return;
   Json summary = Json::parse(text, nullptr, false);
   if (summary.is_object())
     run.summary = std::move(summary);
@@ -84,30 +90,33 @@ void read_summary(RunRecord& run) {
     run.missing.push_back("summary.json is damaged and was left out.");
 }
 
-/// A table and its text; `expected` is a column that every version of it has.
-std::optional<CsvTable> read_columns(RunRecord& run, const char* name, std::string& text) {
-  text = text_of(run, name);
-  if (text.empty()) return {};
-  try {
-    CsvTable table(name, text);
-    if (table.cut())
-      run.missing.push_back(
-          fmt::format("The last line of {} is not complete and was left out.", name));
-    if (table.columns()[0].name == "time") return table;
+/// A table and its text, both without what is damaged; "" where the table cannot be used.
+std::optional<CsvTable> read_columns(RunRecord& run, const char* name, std::string& text,
+                                     const std::string& absent) {
+  SoundRows rows = sound_rows(text_of(run, name, absent));
+  if (rows.cut)
     run.missing.push_back(
-        fmt::format("{} does not begin with the column \"time [s]\", it may be "
-                    "of another version: it was left out.",
-                    name));
-  } catch (const InputError& problem) {
-    run.missing.push_back(fmt::format("{} is damaged and was left out: {}.", name, problem.what()));
+        fmt::format("The last line of {} is not complete and was left out.", name));
+  if (rows.damaged > 0)
+    run.missing.push_back(
+        fmt::format("{}: {} damaged and left out, the first in line {}.", name,
+                    rows.damaged == 1 ? "1 row is" : fmt::format("{} rows are", rows.damaged),
+                    rows.first_damaged));
+  if (rows.text.empty()) return {};
+  CsvTable table(name, rows.text);
+  if (table.columns()[0].name == "time") {
+    text = std::move(rows.text);
+    return table;
   }
+  run.missing.push_back(
+      fmt::format("{} does not begin with the column \"time [s]\", it may be of another version: "
+                  "it was left out.",
+                  name));
   return {};
 }
 
 /// The sentences on tables: none at all, without rows, or without columns that are looked for.
 void check_history(RunRecord& run) {
-  if (run.history_text.empty())
-    run.missing.push_back("There is no history.csv: there are no curves over time.");
   if (!run.history) return;
   if (run.history->rows() == 0) run.missing.push_back("history.csv has no rows yet.");
   std::vector<std::string> expected = {"step", "time step", "courant", "divergence", "speed"};
@@ -138,11 +147,13 @@ RunRecord read_run(const std::string& directory) {
   run.name = last_part(directory);
   read_definition(run);
   read_summary(run);
-  run.history = read_columns(run, "history.csv", run.history_text);
-  run.tracks = read_columns(run, "tracks.csv", run.tracks_text);
+  run.history = read_columns(run, "history.csv", run.history_text,
+                             "There is no history.csv: there are no curves over time.");
+  const bool cloth = run.definition && !run.definition->cloth.empty();
+  run.tracks =
+      read_columns(run, "tracks.csv", run.tracks_text,
+                   cloth ? "There is no tracks.csv: the paths of the pieces are not known." : "");
   check_history(run);
-  if (run.tracks_text.empty() && run.definition && !run.definition->cloth.empty())
-    run.missing.push_back("There is no tracks.csv: the paths of the pieces are not known.");
   return run;
 }
 
@@ -151,11 +162,14 @@ std::string outcome(const RunRecord& run) {
   return text && text->is_string() ? text->get<std::string>() : "unfinished";
 }
 
-int dimension(const RunRecord& run) {
+std::optional<int> known_dimension(const RunRecord& run) {
   if (run.definition) return run.definition->dimension;
   const auto* energy = run.history ? run.history->find("kinetic energy") : nullptr;
-  return energy && energy->unit == "J/m" ? 2 : 3;
+  if (!energy) return {};
+  return energy->unit == "J/m" ? 2 : 3;
 }
+
+int dimension(const RunRecord& run) { return known_dimension(run).value_or(3); }
 
 std::optional<double> summary_number(const RunRecord& run, const std::vector<std::string>& names) {
   const Json* found = find(run.summary, names);

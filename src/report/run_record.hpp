@@ -18,7 +18,7 @@ struct RunRecord {
   nlohmann::ordered_json summary;         ///< null where there is none
   std::optional<CsvTable> history;        ///< none where it is missing or wrong
   std::optional<CsvTable> tracks;         ///< of the pieces; none where there is no cloth either
-  std::string history_text, tracks_text;  ///< the files as they are; "" where missing
+  std::string history_text, tracks_text;  ///< their sound rows as they are; "" where missing
   std::vector<std::string> missing;       ///< sentences on what is missing or wrong
 };
 
@@ -28,7 +28,9 @@ RunRecord read_run(const std::string& directory);
 /// "complete", "stopped", the error that ended the run, or "unfinished" without a summary.
 std::string outcome(const RunRecord& run);
 
-/// 2 or 3; without a case from the units of the history, else 3.
+/// 2 or 3; without a case from the units of the history; none without either.
+std::optional<int> known_dimension(const RunRecord& run);
+/// The same, 3 where it is not known.
 int dimension(const RunRecord& run);
 
 /// A number of the summary by the names that lead to it; none where it is not there.

@@ -179,12 +179,30 @@ Surface fit(double voxel, const Make& make) {
   return s;
 }
 
-/// Halves the voxels until thin solids are met, if that takes no more than ten times the triangles.
+/// Halves the voxels until a thin solid is met.
 template <class Make>
 Surface refine(double voxel, const Make& make) {
   Surface s;
   for (int attempt = 0; attempt < 4 && s.triangles.empty(); ++attempt) s = make(voxel *= 0.5);
-  if (s.triangles.size() > 10 * most_triangles) return {};
+  if (s.triangles.size() > most_triangles) return {};
+  return s;
+}
+
+/// A thin solid, made thicker along its thin axes and set right afterwards. Stretched space has
+/// smaller slopes of psi, so that it stays a bound of the distance.
+Surface stretched_surface(const Shape& shape, const Bounds& within, double voxel, bool open) {
+  constexpr double voxels = 12;  // across the solid
+  const Bounds own = shape.bounds();
+  const Vec<3> stretch =
+      (voxels * voxel * (own.upper - own.lower).cwiseInverse()).cwiseMax(Vec<3>::Ones());
+  const Psi psi = [&](const Vec<3>& x) { return shape.psi(x.cwiseQuotient(stretch)); };
+  const Vec<3> margin = Vec<3>::Constant(4 * voxel).cwiseQuotient(stretch);
+  const Bounds box{within.lower.cwiseMax(own.lower - margin).cwiseProduct(stretch),
+                   within.upper.cwiseMin(own.upper + margin).cwiseProduct(stretch)};
+  Surface s = surface(psi, box, voxel, open);
+  for (auto& v : s.vertices)
+    for (std::size_t d = 0; d < 3; ++d)
+      v[d] /= static_cast<float>(stretch[static_cast<Eigen::Index>(d)]);
   return s;
 }
 
@@ -230,7 +248,10 @@ std::optional<Surface> surface(const Solid& solid, const SurfaceBox& box) {
                      : surface(solid.shape, within, v, !solid.drive.moving());
   };
   Surface s = fit(voxel, make);
-  if (s.triangles.empty() && reaches_into(solid, box)) s = refine(voxel, make);
+  if (s.triangles.empty() && reaches_into(solid, box))
+    s = box.plane ? refine(voxel, make) : fit(voxel, [&](double v) {
+      return stretched_surface(solid.shape, within, v, !solid.drive.moving());
+    });
   if (s.triangles.empty()) return {};
   return s;
 }

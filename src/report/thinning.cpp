@@ -101,14 +101,15 @@ std::vector<std::string> thinning_notes(const Thinning& thinning, const Amount& 
         fmt::format("Curves of the pieces: 1 of {} rows is kept.", thinning.tracks_every));
   if (frames == 0) return notes;
   if (thinning.frames_every == 0) {
-    notes.push_back("The frames are left out to keep the page small.");
+    notes.emplace_back("The frames are left out to keep the page small.");
     return notes;
   }
   if (kept(frames, thinning.frames_every).size() < frames)
     notes.push_back(fmt::format("{} of {} frames are shown.",
                                 kept(frames, thinning.frames_every).size(), frames));
   if (cells[0] == 0) return notes;
-  if (thinning.water_every == 0) notes.push_back("The water is left out to keep the page small.");
+  if (thinning.water_every == 0)
+    notes.emplace_back("The water is left out to keep the page small.");
   if (thinning.water_every > 1)
     notes.push_back(fmt::format("{} of {} frames carry the water.",
                                 kept(frames, thinning.water_every).size(), frames));

@@ -82,7 +82,8 @@ void warn_of_window(const RunRecord& run, Sentences& found) {
                     "start: the means hold what is not yet settled.",
                     begin));
   const auto cycles = whole_cycles({begin, end}, covered, period).size();
-  if (covered < end * (1 - 1e-6))
+  const double rounding = run.definition->time.fixed ? run.definition->time.step : 1e-6 * end;
+  if (covered < end - rounding)
     found.push_back(fmt::format(
         "The run has reached {:.4g} s, the window of the statistics goes on to {:.4g} s.", covered,
         end));
@@ -91,6 +92,11 @@ void warn_of_window(const RunRecord& run, Sentences& found) {
         "The window of the statistics holds {} of the drive: a mean has no interval of confidence "
         "with fewer than two.",
         cycles == 0 ? "no whole cycle" : "one whole cycle"));
+  if (period > 0 && cycles == 2)
+    found.emplace_back(
+        "The window of the statistics holds two whole cycles only: intervals of confidence from "
+        "two "
+        "values are very wide.");
 }
 
 void warn_of_cloth(const RunRecord& run, Sentences& found) {

@@ -115,10 +115,9 @@ std::string drive_text(const Drive& drive) {
 }
 
 std::vector<Fact> describe(const Case& whole) {
-  std::vector<Fact> facts = {
-      {"grid", grid_text(whole)},
-      {"sides", sides_text(whole)},
-      {"scales", scales_text(whole.scale)}};
+  std::vector<Fact> facts = {{"grid", grid_text(whole)},
+                             {"sides", sides_text(whole)},
+                             {"scales", scales_text(whole.scale)}};
   for (const SolidCase& solid : whole.solids)
     facts.push_back({"solid", fmt::format("{}: {}", solid.name, drive_text(solid.drive))});
   for (const ClothCase& cloth : whole.cloth) facts.push_back({"cloth", cloth_text(cloth, whole)});

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -93,6 +94,13 @@ TEST_F(Compare, WhatThePageSaysAgreesWithTheSummaries) {
     expect_near(energy["half_width"], agitator["energy per cycle, 95 % half width [J/m]"]);
     expect_near(quantity(all, "agitator mean power", run)["mean"], agitator["mean power [W/m]"]);
     EXPECT_EQ(quantity(all, "scatter about the common centre", run)["batches"], 3);
+    for (const std::string about : {"the common centre", "each piece's own centre"}) {
+      const std::string name = "scatter about " + about;
+      expect_near(quantity(all, name, run)["mean"], cloth[name + " [m]"]);
+      const std::vector<double> cycles = cloth[name + " in each cycle [m]"];
+      EXPECT_GE(cloth[name + " [m]"], *std::min_element(cycles.begin(), cycles.end()));
+      EXPECT_LE(cloth[name + " [m]"], *std::max_element(cycles.begin(), cycles.end()));
+    }
   }
 }
 
@@ -120,6 +128,8 @@ TEST_F(Compare, RefusesToReplaceOtherFiles) {
   EXPECT_EQ(fs::file_size(folder / "notes.html"), 4U);
   EXPECT_EQ(run("compare a b").code, 0);
   EXPECT_EQ(run("compare a b").code, 0);  // in place of the page before
+  const std::string small = run("compare a b --max-size 1kB").text;
+  EXPECT_THAT(small, testing::StartsWith("washtub: comparison.html: does not fit"));
 }
 
 }  // namespace

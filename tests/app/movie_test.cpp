@@ -76,6 +76,8 @@ TEST_F(Movie, RefusesWrongOptions) {
   }
   EXPECT_EQ(movie(". --from 3"), 2);
   EXPECT_EQ(text, "washtub: --from \"3\": expected time such as \"0.5 s\"\n");
+  EXPECT_EQ(movie("nothing --from '3 s' --to '2 s'"), 2);
+  EXPECT_EQ(text, "washtub: --from \"3 s\": is later than --to \"2 s\"\n");
   EXPECT_EQ(movie("nothing"), 2);
   EXPECT_EQ(text, "washtub: nothing: there is no such directory\n");
 }
@@ -97,8 +99,19 @@ TEST_F(Movie, SaysThatTheFileCannotBeWritten) {
   EXPECT_EQ(movie(". -o /nowhere/a.mp4"), 2);
   EXPECT_EQ(text, "washtub: cannot write /nowhere/a.mp4: No such file or directory\n");
   EXPECT_EQ(movie(". -o tools"), 2);
-  EXPECT_EQ(text, "washtub: cannot write tools: Is a directory\n");
+  EXPECT_EQ(text, "washtub: tools: is a directory; name a file with -o\n");
   EXPECT_FALSE(fs::exists(folder / "tools.part"));
+}
+
+TEST_F(Movie, ReplacesMoviesOnly) {
+  install_all("exit 0");
+  std::ofstream(folder / "notes.mp4") << "kept";
+  EXPECT_EQ(movie(". -o notes.mp4"), 2);
+  EXPECT_EQ(text, "washtub: notes.mp4: exists and is no MP4 movie; name another file with -o\n");
+  EXPECT_EQ(fs::file_size(folder / "notes.mp4"), 4U);
+  make_run();
+  std::ofstream(folder / "old.mp4") << std::string("\0\0\0\x20", 4) << "ftypisom";
+  EXPECT_EQ(movie("run -o old.mp4"), 0) << text;
 }
 
 TEST_F(Movie, IsThereWhenAllWentWellOnly) {

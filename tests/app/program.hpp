@@ -1,6 +1,7 @@
 #pragma once
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdio>
@@ -27,9 +28,8 @@ class Program : public ::testing::Test {
   ~Program() override { fs::remove_all(folder); }
 
   Outcome run(const std::string& arguments) const {
-    const std::string command = "cd " + folder.string() +
-                                " && env -u OMPI_COMM_WORLD_SIZE -u PMIX_RANK -u PMI_RANK " +
-                                WASHTUB_PROGRAM + " " + arguments + " 2>&1";
+    const std::string command = "cd " + folder.string() + " && env" + without_launcher() +
+                                " " WASHTUB_PROGRAM " " + arguments + " 2>&1";
     FILE* pipe = popen(command.c_str(), "r");
     Outcome outcome;
     std::array<char, 4096> part{};
@@ -48,6 +48,18 @@ class Program : public ::testing::Test {
   }
 
   fs::path folder;
+
+ private:
+  /// Options of env that hide that this test runs under MPI itself.
+  static std::string without_launcher() {
+    std::string options;
+    for (char** entry = environ; *entry; ++entry) {
+      const std::string text = *entry;
+      for (const char* prefix : {"OMPI_", "PMIX_", "PMI_"})
+        if (text.starts_with(prefix)) options += " -u " + text.substr(0, text.find('='));
+    }
+    return options;
+  }
 };
 
 }  // namespace washtub::testing

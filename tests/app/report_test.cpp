@@ -14,9 +14,10 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Two samples of a small plane wash.
-std::string short_run(const std::string& more = "") {
-  return "run " + fs::absolute("cases/wash-2d/case.toml").string() +
-         " -n 1 -o out --set domain.cells=32 --set time.end='0.02 s' --set output.every='0.01 s'"
+std::string short_run(const std::string& more = "", int ranks = 1) {
+  return "run " + fs::absolute("cases/wash-2d/case.toml").string() + " -n " +
+         std::to_string(ranks) +
+         " -o out --set domain.cells=32 --set time.end='0.02 s' --set output.every='0.01 s'"
          " --set output.frames='0.01 s' --set output.window='[\"0 s\", \"0.02 s\"]' " +
          more;
 }
@@ -59,6 +60,40 @@ TEST_F(Report, EndsARun) {
   EXPECT_EQ(run("report out -o page.html --max-size '1.5 MB'").code, 0);
   EXPECT_LE(fs::file_size(folder / "page.html"), 1500000U);
   EXPECT_THAT(run("report out --max-size 1kB").text, HasSubstr("the smallest possible page has"));
+}
+
+TEST_F(Report, RefusesToReplaceOtherFiles) {
+  EXPECT_EQ(run(short_run()).code, 0);
+  std::ofstream(folder / "notes.html") << "kept";
+  const Outcome outcome = run("report out -o notes.html");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.text,
+            "washtub: notes.html: exists and is no page of washtub; name another file with -o\n");
+  EXPECT_EQ(fs::file_size(folder / "notes.html"), 4U);
+  EXPECT_EQ(run("report out").code, 0);  // in place of that of the run
+}
+
+TEST_F(Report, IsMadeOnceForSeveralRanks) {
+  for (const std::string more : {"", "--force --set coupling.strain_limit=1e-9"}) {
+    const Outcome outcome = run(short_run(more, 2));
+    const std::string log = text(folder / "out" / "log.txt");
+    const auto at = log.find("out/report.html: ");
+    ASSERT_NE(at, std::string::npos) << log << outcome.text;
+    EXPECT_EQ(log.find("out/report.html: ", at + 1), std::string::npos) << log;
+    EXPECT_EQ(log[log.rfind('\n', at) + 1], '[') << "the log's format";
+  }
+}
+
+TEST_F(Report, ForceClearsAllThatWasMadeOfARun) {
+  for (const char* name : {"movie.mp4", "movie.mp4.part", "report.html.part", "mine.txt"}) {
+    fs::create_directories(folder / "out");
+    std::ofstream(folder / "out" / name) << "x";
+  }
+  EXPECT_EQ(run(short_run("--force --no-report")).code, 0);
+  EXPECT_FALSE(fs::exists(folder / "out" / "movie.mp4"));
+  EXPECT_FALSE(fs::exists(folder / "out" / "movie.mp4.part"));
+  EXPECT_FALSE(fs::exists(folder / "out" / "report.html.part"));
+  EXPECT_TRUE(fs::exists(folder / "out" / "mine.txt"));
 }
 
 TEST_F(Report, FollowsAFailedRun) {

@@ -107,9 +107,12 @@ TEST(FrameFiles, AreListedWithTheirGaps) {
   std::filesystem::create_directory(dir / "frames");
   for (const int n : {4, 0, 1}) std::ofstream(frame_path(dir.path(), n)) << "x";
   std::ofstream(dir / "frames/frame_000007.h5.part") << "x";
-  std::ofstream(dir / "frames/other.h5") << "x";
+  for (const char* other : {"other.h5", "frame_2.h5", "frame_0000003.h5", "frame_000003.h5.h5"})
+    std::ofstream(dir / (std::string("frames/") + other)) << "x";
   EXPECT_THAT(frame_files(dir.path()).numbers, ElementsAre(0, 1, 4));
-  EXPECT_THAT(frame_files(dir.path()).gaps, ElementsAre(2, 3));
+  EXPECT_THAT(frame_files(dir.path()).gaps, ElementsAre(FrameGap{2, 3}));
+  std::ofstream(frame_path(dir.path(), 2147483647)) << "x";
+  EXPECT_THAT(frame_files(dir.path()).gaps, ElementsAre(FrameGap{2, 3}, FrameGap{5, 2147483646}));
 }
 
 }  // namespace

@@ -37,6 +37,24 @@ TEST(CsvTable, UnfinishedLastLineIsLeftOut) {
   EXPECT_TRUE(table.cut());
 }
 
+TEST(CsvTable, UnitsStandLast) {
+  const CsvTable table("h.csv", "time [s],drum [left] torque [N m]\n");
+  EXPECT_EQ(table.columns()[1].name, "drum [left] torque");
+  EXPECT_EQ(table.columns()[1].unit, "N m");
+}
+
+TEST(SoundRows, KeepTheText) {
+  const std::string good = "time [s],a\n0,1\n1,\n";
+  EXPECT_EQ(sound_rows(good).text, good);
+  EXPECT_EQ(sound_rows(good).damaged, 0U);
+  const SoundRows rows = sound_rows("time [s],a\n0,1\n,5\n1,1e\n2,3\n4,");
+  EXPECT_EQ(rows.text, "time [s],a\n0,1\n2,3\n");
+  EXPECT_EQ(rows.damaged, 2U);
+  EXPECT_EQ(rows.first_damaged, 3U);
+  EXPECT_TRUE(rows.cut);
+  EXPECT_EQ(sound_rows("time").text, "");
+}
+
 TEST(CsvTable, WrongColumnNamesTheNearest) {
   const CsvTable table("h.csv", "time [s],speed [m/s]\n");
   EXPECT_THAT([&] { table.column("sped"); },

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <numbers>
 #include <vector>
 
@@ -83,6 +85,25 @@ TEST(Scatter, PiecesAtRestScatterByTheirPlacesAndExtent) {
   EXPECT_TRUE(s.centre().isApprox(Vec<2>(2.5, 3)));
   EXPECT_DOUBLE_EQ(s.own(), 1);
   EXPECT_DOUBLE_EQ(s.common(), std::sqrt(1 + 0.25 + 9));
+}
+
+/// Cloth that wanders off: about its own centre each half sees less of it than the whole window.
+TEST(Scatter, OfHalvesAboutTheWholeCentreMakesUpTheWhole) {
+  Scatter whole(1, {0, 2}, {0, 0});
+  std::array<Scatter, 2> half = {Scatter(1, {0, 1}, {0, 0}), Scatter(1, {1, 2}, {0, 0})};
+  const std::vector<double> area = {1, 1};
+  for (int i = 0; i < 8; ++i) {
+    const std::vector<Vec<3>> points = {{1.0 + i, 0, 0}, {1.5 + i, 0, 0.1 * i * i}};
+    for (Scatter* s : {&whole, &half[0], &half[1]})
+      s->add<3>({0.25 * i, 0.25 * (i + 1)}, 0, points, area);
+  }
+  const auto mean = [&](auto part) {
+    return std::sqrt((std::pow((half[0].*part)(whole), 2) + std::pow((half[1].*part)(whole), 2)) /
+                     2);
+  };
+  EXPECT_NEAR(mean(&Scatter::common_about), whole.common(), 1e-12);
+  EXPECT_NEAR(mean(&Scatter::own_about), whole.own(), 1e-12);
+  EXPECT_LT(half[0].own(), half[0].own_about(whole));
 }
 
 TEST(Scatter, MotionCountsWithinTheWindowOnly) {

@@ -64,26 +64,46 @@ TEST(Vorticity, GoesOnThroughPeriodicSides) {
   for (int i = 0; i < n; ++i) EXPECT_NEAR(w[static_cast<std::size_t>(i)], std::cos(i * h), 2e-3);
 }
 
-TEST(Thinning, GoesFromEverythingToOneFrame) {
-  const auto plans = thinnings(20, {64, 64, 1});
+TEST(Thinning, GoesFromEverythingToNoFrame) {
+  const auto plans = thinnings({20, {64, 64, 1}, 0, 0});
   std::vector<std::array<int, 3>> found;
   for (const Thinning& p : plans) found.push_back({p.coarsenings, p.water_every, p.frames_every});
   EXPECT_THAT(found, ElementsAre(std::array{0, 1, 1}, std::array{1, 1, 1}, std::array{2, 1, 1},
-                                 std::array{2, 2, 1}, std::array{2, 4, 1}, std::array{0, 0, 1},
-                                 std::array{0, 0, 2}, std::array{0, 0, 4}, std::array{0, 0, 8},
-                                 std::array{0, 0, 16}, std::array{0, 0, 32}));
-  EXPECT_EQ(thinnings(20, {24, 40, 40})[1].coarsenings, 0) << "12 cells are too few";
-  EXPECT_EQ(thinnings(0, {0, 0, 0}).size(), 1U);
+                                 std::array{2, 2, 1}, std::array{2, 4, 1}, std::array{2, 8, 1},
+                                 std::array{0, 0, 1}, std::array{0, 0, 2}, std::array{0, 0, 4},
+                                 std::array{0, 0, 8}, std::array{0, 0, 16}, std::array{0, 0, 32},
+                                 std::array{0, 0, 0}));
+  EXPECT_EQ(thinnings({20, {24, 40, 40}, 0, 0})[1].coarsenings, 0) << "12 cells are too few";
+  EXPECT_EQ(thinnings({}).size(), 1U);
+}
+
+TEST(Thinning, TakesTheTracksBeforeTheHistory) {
+  std::vector<std::array<int, 2>> found;
+  for (const Thinning& p : thinnings({0, {0, 0, 0}, 900, 450}))
+    found.push_back({p.tracks_every, p.history_every});
+  EXPECT_THAT(found, ElementsAre(std::array{1, 1}, std::array{2, 1}, std::array{4, 1},
+                                 std::array{8, 1}, std::array{8, 2}, std::array{8, 4}));
+}
+
+TEST(Thinning, KeepsTheFirstAndTheLast) {
+  EXPECT_THAT(kept(6, 2), ElementsAre(0, 2, 4, 5));
+  EXPECT_THAT(kept(5, 2), ElementsAre(0, 2, 4));
+  EXPECT_THAT(kept(3, 8), ElementsAre(0, 2));
+  EXPECT_THAT(kept(1, 8), ElementsAre(0));
+  EXPECT_TRUE(kept(0, 1).empty() && kept(9, 0).empty());
+  EXPECT_EQ(thin_rows("t\n0\n1\n2\n3\n", 2), "t\n0\n2\n3\n");
+  EXPECT_EQ(thin_rows("t\n", 4), "t\n");
 }
 
 TEST(Thinning, SaysWhatIsLeftOut) {
-  EXPECT_THAT(thinning_notes({}, 129, {64, 64, 64}), ElementsAre());
-  EXPECT_THAT(thinning_notes({1, 4, 1}, 129, {64, 64, 32}),
+  EXPECT_THAT(thinning_notes({}, {129, {64, 64, 64}, 9, 9}), ElementsAre());
+  EXPECT_THAT(thinning_notes({1, 4, 1, 1, 1}, {129, {64, 64, 32}, 0, 0}),
               ElementsAre("33 of 129 frames carry the water.",
                           "The water is shown on 32 x 32 x 16 of 64 x 64 x 32 cells."));
   EXPECT_THAT(
-      thinning_notes({0, 0, 4}, 513, {64, 64, 1}),
-      ElementsAre("129 of 513 frames are shown.", "The water is left out to keep the page small."));
+      thinning_notes({0, 0, 4, 8, 2}, {513, {64, 64, 1}, 9, 9}),
+      ElementsAre("Curves: 1 of 2 rows is kept.", "Curves of the pieces: 1 of 8 rows is kept.",
+                  "129 of 513 frames are shown.", "The water is left out to keep the page small."));
 }
 
 }  // namespace

@@ -58,6 +58,13 @@ struct Made : MadeFrames {
 
 std::vector<std::string> notes(const ReadPage& page) { return page.run()["notes"]; }
 
+/// Text that takes its room in every page of a case.
+std::string long_comment() {
+  std::string text;
+  for (int i = 0; i < 30000; ++i) text += fmt::format("# {}\n", i * i % 99991);
+  return text;
+}
+
 TEST(Page, HoldsTheClothAsItWasWritten) {
   const Made made;
   const ReadPage page = made.page();
@@ -209,7 +216,98 @@ TEST(Page, KeepsWithinEveryPossibleSize) {
     EXPECT_EQ(std::filesystem::file_size(made.folder.path("page.html")), size.bytes);
   }
   EXPECT_THAT(notes(made.page(whole)), ElementsAre());
-  EXPECT_THAT(notes(made.page(whole - water / 3)), ElementsAre("6 of 12 frames carry the water."));
+  EXPECT_THAT(notes(made.page(whole - water / 3)), ElementsAre("7 of 12 frames carry the water."));
+  EXPECT_EQ(made.page(whole - water / 3).frames()["fields"]["frames"],
+            Json({0, 2, 4, 6, 8, 10, 11}));
+}
+
+/// Rows of noise, which zlib cannot make small.
+std::string long_table(int rows, int seed) {
+  std::string text = "time [s],a,b,c,d\n";
+  for (int i = 0; i < rows; ++i) {
+    text += fmt::format("{}", i);
+    for (int j = 1; j <= 4; ++j) text += fmt::format(",{:.9g}", std::sin(seed + i * (j + 0.1 * i)));
+    text += '\n';
+  }
+  return text;
+}
+
+TEST(Page, ThinsTheCurvesOfLongRuns) {
+  MadeFrames none;
+  none.count = 0;
+  const Made made(none);
+  const std::size_t small = made.make().bytes;
+  made.folder.write("run/tracks.csv", long_table(5000, 1));
+  made.folder.write("run/history.csv", long_table(4000, 2));
+  const std::size_t tracks = made.page().element("washtub-chunk-5").size();
+  ASSERT_GT(tracks, 150000U);
+  const ReadPage some = made.page(made.make().bytes - tracks / 2);
+  EXPECT_THAT(notes(some), Contains("Curves of the pieces: 1 of 4 rows is kept."));
+  const auto text = some.chunk<char>(some.run()["tracks"]);
+  const std::string kept(text.begin(), text.end());
+  EXPECT_EQ(std::count(kept.begin(), kept.end(), '\n'), 1 + 1250 + 1);
+  EXPECT_THAT(kept, ::testing::StartsWith("time [s],a,b,c,d\n0,"));
+  EXPECT_THAT(kept, HasSubstr("\n4996,"));
+  EXPECT_THAT(kept, HasSubstr("\n4999,"));
+  const ReadPage few = made.page(small + 25000);
+  EXPECT_THAT(notes(few), Contains(HasSubstr("Curves: 1 of ")));
+}
+
+TEST(Page, LeavesTheFramesOutAtLast) {
+  MadeFrames many;
+  many.nodes = {60, 60};
+  const Made made(many);
+  const PageSize whole = made.make();
+  std::string problem;
+  try {
+    made.make(1000);
+  } catch (const InputError& error) {
+    problem = error.what();
+  }
+  const auto at = problem.find("page has ");
+  ASSERT_NE(at, std::string::npos);
+  const auto least = static_cast<std::size_t>(std::stod(problem.substr(at + 9)) * 1e6);
+  EXPECT_LT(least, whole.bytes);
+  const ReadPage page = made.page(least);
+  EXPECT_TRUE(page.frames()["times"].empty());
+  EXPECT_THAT(notes(page), Contains("The frames are left out to keep the page small."));
+}
+
+/// One run needs much at least, the other nearly nothing; either may come first.
+TEST(Page, OfSeveralRunsFitsWhereverItCan) {
+  const Made big;
+  MadeFrames none;
+  none.count = 0;
+  const Made small(none);
+  big.folder.write("run/case.toml", long_comment() + RunFolder::case_text());
+  const std::string path = big.folder.path("both.html");
+  for (const auto& [first, second] : {std::pair(&big, &small), std::pair(&small, &big)}) {
+    const PageContent content{
+        "washtub test", {read_run(first->directory), read_run(second->directory)}, nullptr};
+    std::string problem;
+    try {
+      write_page(path, content, 1000);
+    } catch (const InputError& error) {
+      problem = error.what();
+    }
+    const auto least =
+        static_cast<std::size_t>(std::stod(problem.substr(problem.find("page has ") + 9)) * 1e6);
+    for (const std::size_t limit : {least, least + 20000, least + 200000})
+      EXPECT_LE(write_page(path, content, limit).bytes, limit);
+  }
+}
+
+TEST(Page, LeavesFramesOfLostClothOut) {
+  const Made made;
+  const hid_t file = H5Fopen(made.file(3).c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const hid_t data = H5Dopen2(file, "cloth/positions", H5P_DEFAULT);
+  const std::vector<double> lost(3 * 24, std::nan(""));
+  H5Dwrite(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, lost.data());
+  H5Dclose(data);
+  H5Fclose(file);
+  const ReadPage page = made.page();
+  EXPECT_EQ(page.frames()["times"], Json({0.0, 0.5, 1.0, 2.0}));
+  EXPECT_THAT(notes(page), Contains(HasSubstr("its cloth is at places that are not finite")));
 }
 
 TEST(Page, TooSmallASizeNamesTheSmallest) {

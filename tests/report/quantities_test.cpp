@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -56,8 +57,47 @@ TEST(Quantities, OneCycleTellsNoInterval) {
   folder.write("a/history.csv", RunFolder::history({.stress = [](double t) { return t; }}, 2.5));
   const RunQuantity stress = named(read_run(folder.path("a")), "stress");
   EXPECT_EQ(stress.batches.size(), 1U);
-  EXPECT_NEAR(stress.mean, 1.8, 1e-9);  // of the values at 1.1, 1.2, ..., 2.5
+  EXPECT_NEAR(stress.mean, 1.55, 1e-9);  // of the values at 1.1, 1.2, ..., 2, as the batch
   EXPECT_TRUE(to_json(stress)["half_width"].is_null());
+}
+
+/// Walls that turn on and on, as in cases/couette.
+TEST(Quantities, WithoutAPeriodThereIsNoEnergyPerCycle) {
+  const RunFolder folder;
+  std::string text = RunFolder::case_text();
+  const std::string stroke = "{ kind = \"sinusoid\", peak = \"2 rad/s\", frequency = \"1 Hz\" }";
+  text.replace(text.find(stroke), stroke.size(), "{ kind = \"constant\", speed = \"2 rad/s\" }");
+  const RunRecord run = folder.run("a", {.power = [](double) { return 7; }}, text);
+  EXPECT_THROW(named(run, "agitator energy per cycle"), std::out_of_range);
+  EXPECT_NEAR(named(run, "agitator mean power").mean, 7, 1e-9);
+  EXPECT_EQ(named(run, "agitator mean power").batches.size(), 8U);
+}
+
+TEST(Quantities, MeansRestOnTheWholeCycles) {
+  const RunFolder folder;
+  folder.write("a/case.toml", RunFolder::case_text());
+  folder.write("a/history.csv",
+               RunFolder::history({.stress = [](double t) { return t < 3.05 ? t : 100; },
+                                   .torque = [](double t) { return t < 3.05 ? t : 100; }},
+                                  3.8));
+  for (const RunQuantity& quantity : find_quantities(read_run(folder.path("a")))) {
+    const auto [low, high] = std::minmax_element(quantity.batches.begin(), quantity.batches.end());
+    ASSERT_EQ(quantity.batches.size(), 2U) << quantity.name;
+    EXPECT_GE(quantity.mean, *low - 1e-12) << quantity.name;
+    EXPECT_LE(quantity.mean, *high + 1e-12) << quantity.name;
+  }
+}
+
+TEST(Quantities, NothingIsScaledWithoutASpeed) {
+  const RunFolder folder;
+  std::string text = RunFolder::case_text();
+  const auto stroke = text.find("stroke");
+  text.erase(stroke, text.find('\n', stroke) - stroke);
+  text.insert(text.find("radius"), "stroke = { kind = \"rest\" }\n");
+  const RunRecord run = folder.run("a", {}, text + "[scale]\nspeed = \"0 rad/s\"\n");
+  ASSERT_TRUE(run.definition);
+  EXPECT_TRUE(to_json(named(run, "stress"))["scaled"].is_null());
+  EXPECT_TRUE(to_json(named(run, "tub rms torque"))["scaled"].is_null());
 }
 
 TEST(Quantities, NoneBeforeTheWindow) {
@@ -73,9 +113,9 @@ TEST(Quantities, ScatterIsTheSummarys) {
   folder.write("a/summary.json", R"({"cloth": {"scatter about the common centre [m]": 0.05,
       "scatter about the common centre in each cycle [m]": [0.04, 0.06, null]}})");
   const RunQuantity scatter = named(read_run(folder.path("a")), "scatter about the common centre");
-  EXPECT_EQ(scatter.mean, 0.05);
+  EXPECT_NEAR(scatter.mean, std::sqrt((0.04 * 0.04 + 0.06 * 0.06) / 2), 1e-12);
   EXPECT_EQ(scatter.batches, (std::vector<double>{0.04, 0.06}));
-  EXPECT_EQ(to_json(scatter)["scaled"]["mean"], 0.1);
+  EXPECT_NEAR(to_json(scatter)["scaled"]["mean"].get<double>(), 2 * scatter.mean, 1e-12);
 }
 
 }  // namespace

@@ -42,6 +42,9 @@ TEST(ReadRun, RefusesWhatIsNoRun) {
   EXPECT_THAT(reading("file"), ThrowsMessage<InputError>(HasSubstr("file: is no directory")));
   std::filesystem::create_directory(folder.path("empty"));
   EXPECT_THAT(reading("empty"), ThrowsMessage<InputError>(HasSubstr("empty: is empty")));
+  folder.write("case/case.toml", RunFolder::case_text());
+  EXPECT_THAT(reading("case"), ThrowsMessage<InputError>(
+                                   HasSubstr("case: has a case but no results; washtub run ")));
   folder.write("other/notes.txt", "x");
   EXPECT_THAT(reading("other"),
               ThrowsMessage<InputError>(HasSubstr(
@@ -62,16 +65,41 @@ TEST(ReadRun, WhileTheRunGoesOn) {
 TEST(ReadRun, DamageIsTold) {
   const RunFolder folder;
   folder.write("run/case.toml", "[washing]\nspeed = 3\n");
-  folder.write("run/history.csv", "time [s],a\n1,2,3\n");
+  folder.write("run/history.csv", "step,a\n1,2\n");
   folder.write("run/summary.json", "{\"run\": ");
   const RunRecord run = read_run(folder.path("run"));
   EXPECT_FALSE(run.definition || run.history);
   EXPECT_THAT(run.missing, Contains(HasSubstr("does not understand case.toml")));
-  EXPECT_THAT(run.missing, Contains(HasSubstr("history.csv:2: 3 fields, expected 2")));
+  EXPECT_THAT(run.missing, Contains(HasSubstr("history.csv does not begin with the column")));
+  EXPECT_EQ(run.history_text, "");
   EXPECT_THAT(run.missing, Contains(HasSubstr("summary.json is damaged")));
   EXPECT_EQ(quantities(run).size() + groups(run).size(), 0U);
   EXPECT_EQ(facts(run).size(), 1U);
   EXPECT_EQ(warnings(run).size(), 1U);
+}
+
+TEST(ReadRun, DamagedRowsAreLeftOut) {
+  const RunFolder folder;
+  folder.write("run/case.toml", RunFolder::case_text());
+  folder.write("run/history.csv", "time [s],a\n0,1\n1,2,3\n2,x\n,4\n3,\n4");
+  const RunRecord run = read_run(folder.path("run"));
+  EXPECT_EQ(run.history->rows(), 2U);
+  EXPECT_EQ(run.history_text, "time [s],a\n0,1\n3,\n");
+  EXPECT_THAT(run.missing,
+              Contains("history.csv: 3 rows are damaged and left out, the first in line 3."));
+  EXPECT_THAT(run.missing, Contains(HasSubstr("last line of history.csv is not complete")));
+}
+
+TEST(ReadRun, EmptyFilesAreNotMissing) {
+  const RunFolder folder;
+  for (const char* name : {"run/case.toml", "run/history.csv", "run/summary.json"})
+    folder.write(name, "");
+  std::filesystem::create_directory(folder.path("run/tracks.csv"));
+  const RunRecord run = read_run(folder.path("run"));
+  for (const char* name : {"case.toml", "history.csv", "summary.json"})
+    EXPECT_THAT(run.missing, Contains(std::string(name) + " is empty."));
+  EXPECT_THAT(run.missing, Contains(HasSubstr("tracks.csv cannot be read: ")));
+  EXPECT_THAT(run.missing, ::testing::Not(Contains(HasSubstr("There is no"))));
 }
 
 TEST(ReadRun, OtherColumnsAreTold) {

@@ -52,6 +52,15 @@ void expect_fair(const Surface& s) {
   EXPECT_LE(s.triangles.size(), 20000U);
 }
 
+TEST(Surface, OfAThinPlate) {
+  const Solid plate{
+      "plate", box({-0.1, -0.1, -0.0001}, {0.1, 0.1, 0.0001}), {0.1, 0.2, 0.3}, at_rest()};
+  EXPECT_TRUE(reaches_into(plate, unit));
+  const auto s = surface(plate, unit);
+  ASSERT_TRUE(s);
+  EXPECT_NEAR(area(*s), 2 * 0.04, 0.002);
+}
+
 TEST(Surface, OfASphere) {
   const auto s = surface({"ball", sphere(Vec<3>::Zero(), 0.5), {0.1, 0.2, 0.3}, at_rest()}, unit);
   ASSERT_TRUE(s);

@@ -27,17 +27,25 @@ TEST(Warnings, NameValueAndThreshold) {
       "largest courant number": 0.42, "largest divergence h/U": 2e-4,
       "unconverged pressure solves": 3},
       "coupling": {"largest strain": 0.14, "mean rms slip / largest speed": 0.011,
-      "largest rms slip / largest speed": 0.096, "deepest penetration of a solid [m]": 1e-4}})");
+      "largest rms slip / largest speed": 0.096, "deepest penetration of a solid [m]": 0.02}})");
   EXPECT_THAT(
       sentences(read_run(folder.path("a"))),
       ElementsAre("An error ended the run: cloth 7 stretched 34 %.",
                   HasSubstr("up to 9.6 % of the largest speed, 1.1 % on average; below 5 %"),
                   HasSubstr("strained by 14 %; its stress is linear in strain, which holds below "
                             "10 %"),
-                  "A node of the cloth was 0.0001 m inside a solid.",
+                  HasSubstr("node of the cloth was 0.02 m inside a solid, "),
                   "The pressure did not converge in 3 of 400 steps.",
                   HasSubstr("divergence of the water is 0.0002 U/h, the solver's target 0.0001"),
                   HasSubstr("Courant number is 0.42, above the limit of 0.3")));
+}
+
+TEST(Warnings, AHairInsideASolidIsNone) {
+  const RunFolder folder;
+  folder.run("a", {});
+  folder.write("a/summary.json", R"({"run": {"outcome": "complete"},
+      "coupling": {"deepest penetration of a solid [m]": 1e-4}})");
+  EXPECT_TRUE(sentences(read_run(folder.path("a"))).empty());
 }
 
 TEST(Warnings, ShortRuns) {
@@ -51,6 +59,7 @@ TEST(Warnings, ShortRuns) {
                                              "at 1 s")));
   EXPECT_THAT(after(2.5), Contains(HasSubstr("goes on to 4 s")));
   EXPECT_THAT(after(2.5), Contains(HasSubstr("holds one whole cycle of the drive")));
+  EXPECT_THAT(after(3.5), Contains(HasSubstr("holds two whole cycles only")));
   EXPECT_THAT(after(0.5), Contains(HasSubstr("The run has no end yet")));
 }
 

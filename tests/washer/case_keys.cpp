@@ -205,3 +205,21 @@ TEST(ClothKeys, ErrorsOfASingleListedTableNameTheirLine) {
   expect_error(square + listed + "arrangement = \"sheet\"\npinned = \"s_lower\"\n",
                ":15: cloth.pinned = ");
 }
+
+TEST(Names, MakeNoOtherColumns) {
+  const auto solid = [](const std::string& name) {
+    return square + "[[solid]]\nname = " + name +
+           "\nshape = { kind = \"sphere\", radius = \"0.1 m\" }\n";
+  };
+  EXPECT_EQ(read_text(solid("\"outer cylinder\"")).solids[0].name, "outer cylinder");
+  for (const char* name : {"\"a,b\"", "\"a [m]\"", "'a\"b'", "\"a\\nb\"", "\"a\\u0001\"", "\"\""})
+    expect_error(solid(name), "expected a name without comma, brackets, quotation marks");
+  expect_error(square + thread + "[[probe]]\nname = \"a,b\"\nnode = [0]\n",
+               "expected a name without comma");
+}
+
+TEST(ScaleKeys, NoSpeedWhereNothingMoves) {
+  const Case still = read_text(square);
+  EXPECT_EQ(still.scale.speed, 0);
+  EXPECT_EQ(read_text(still.resolved).scale.speed, 0);
+}

@@ -51,12 +51,19 @@ TEST(Groups, OfDifferentClothAreNumbered) {
   EXPECT_DOUBLE_EQ(value(groups(whole), "Te of cloth 2"), 2);
 }
 
+TEST(Groups, NoneWithoutASpeed) {
+  Case still = simple();
+  still.scale.speed = 0;
+  EXPECT_TRUE(groups(still).empty());
+  EXPECT_FALSE(scales(still));
+}
+
 TEST(Scales, OfStressAndTorque) {
-  EXPECT_DOUBLE_EQ(scales(simple()).stress, 10 * 4 * 9);
-  EXPECT_DOUBLE_EQ(scales(simple()).torque, 10 * 16 * 9 * 5);
+  EXPECT_DOUBLE_EQ(scales(simple())->stress, 10 * 4 * 9);
+  EXPECT_DOUBLE_EQ(scales(simple())->torque, 10 * 16 * 9 * 5);
   Case flat = simple();
   flat.dimension = 2;
-  EXPECT_DOUBLE_EQ(scales(flat).torque, 10 * 16 * 9);
+  EXPECT_DOUBLE_EQ(scales(flat)->torque, 10 * 16 * 9);
 }
 
 TEST(Description, SidesOfTheBox) {

@@ -4,9 +4,10 @@ import { chunkReader, DataError, readBundle } from './model/decode';
 import { loadRun, type LoadedRun } from './model/run';
 import { Store } from './model/store';
 import { buildApi } from './page/api';
+import { beside } from './page/beside';
 import { buildComparison } from './page/comparison';
 import { buildDetails } from './page/details';
-import { make } from './page/dom';
+import { make } from './dom';
 import { buildHead } from './page/head';
 import { buildKeys } from './page/keys';
 import { savePicture } from './page/save';
@@ -16,8 +17,14 @@ import { buildTimeline, keepTime } from './page/timeline';
 import { buildToolbar } from './page/toolbar';
 import './page/views.css';
 import { buildPlots, plots } from './plots/plots';
-import { choicesFor, initialSettings, type Choices, type Settings } from './scene/settings';
-import { Stage } from './scene/stage';
+import {
+  choicesFor,
+  commonPeriod,
+  initialSettings,
+  type Choices,
+  type Settings,
+} from './scene/settings';
+import { createRenderer, Stage } from './scene/stage';
 
 /** Puts the page together, or says why it cannot. */
 async function main(page: HTMLElement): Promise<void> {
@@ -43,10 +50,12 @@ async function build(page: HTMLElement): Promise<void> {
   document.title = `${bundle.runs.map(({ name }) => name).join(', ')} – Washtub`;
   page.replaceChildren(
     make('header', 'head', ...bundle.runs.map(buildHead)),
-    make('section', 'views', ...viewsOf(runs, stage)),
-    buildControls(runs, clock, settings, choices, stage),
-    section('plots', buildPlots(runs, clock)),
     section('comparison', bundle.comparison && buildComparison(bundle.comparison, bundle.runs)),
+    beside(
+      make('section', 'views', ...viewsOf(runs, stage)),
+      buildControls(runs, clock, settings, choices, stage),
+      section('plots', buildPlots(runs, clock)),
+    ),
     section('summary', buildSummary(bundle.runs)),
     section('details', buildDetails(bundle.runs, bundle.program)),
   );
@@ -69,7 +78,7 @@ function buildControls(
 ): HTMLElement {
   const save = () => stage && savePicture(stage, runs, clock);
   const keys = buildKeys({ clock, settings, choices, stage, save });
-  const timeline = buildTimeline(clock, runs[0]!.index.scales.period);
+  const timeline = buildTimeline(clock, commonPeriod(runs));
   if (!stage) return make('section', 'controls', timeline, keys);
   const toolbar = buildToolbar(settings, choices, {
     reset: () => stage.look('slanted'),
@@ -104,9 +113,8 @@ function message(text: string): HTMLElement {
 
 function stageFor(runs: LoadedRun[], clock: Clock, settings: Store<Settings>): Stage | null {
   if (!anyFrames(runs)) return null;
-  const context = document.createElement('canvas').getContext('webgl2');
-  context?.getExtension('WEBGL_lose_context')?.loseContext();
-  return context ? new Stage(runs, clock, settings) : null;
+  const renderer = createRenderer();
+  return renderer && new Stage(runs, clock, settings, renderer);
 }
 
 /** The frames' times of all runs, each once; those of the histories' ends without frames. */

@@ -1,3 +1,5 @@
+import { frameAt } from './moment';
+
 /** The time that the views and plots of the page show, and whether it runs. */
 export interface ClockState {
   time: number; // [s]
@@ -13,7 +15,7 @@ export class Clock {
 
   /** `times`: the frames' times, ascending; stepping goes from one to the next. */
   constructor(readonly times: readonly number[]) {
-    this.#state = { time: times[0] ?? 0, playing: false, speed: 1 };
+    this.#state = { time: times[0] ?? 0, playing: false, speed: this.pace };
   }
 
   get state(): Readonly<ClockState> {
@@ -26,6 +28,13 @@ export class Clock {
 
   get end(): number {
     return this.times.at(-1) ?? 0;
+  }
+
+  /** Speed at which the whole takes seconds to minutes: 1, or another power of ten. */
+  get pace(): number {
+    const span = this.end - this.begin;
+    if (span > 100) return 10 ** Math.floor(Math.log10(span / 10));
+    return span > 0 && span < 1 ? 1 / 10 ** Math.ceil(-Math.log10(span)) : 1;
   }
 
   subscribe(listener: ClockListener): () => void {
@@ -50,15 +59,7 @@ export class Clock {
 
   /** Number of the last frame not later than the time. */
   get frame(): number {
-    const { time } = this.#state;
-    let low = 0;
-    let high = this.times.length - 1;
-    while (low < high) {
-      const middle = Math.ceil((low + high) / 2);
-      if (this.times[middle]! <= time + 1e-9) low = middle;
-      else high = middle - 1;
-    }
-    return low;
+    return frameAt(this.times, this.#state.time);
   }
 
   /** Lets `seconds` of the viewer's time pass; starts over behind the end. */

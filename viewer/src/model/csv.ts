@@ -8,7 +8,6 @@ export interface Column {
 export interface Table {
   columns: Column[];
   rows: number;
-  incomplete: boolean; // the last line was cut off, as in a run that is still going on
 }
 
 /** Name and unit out of a header such as "kinetic energy [J/m]". */
@@ -17,28 +16,35 @@ export function parseHeader(text: string): { name: string; unit: string } {
   return match ? { name: match[1]!, unit: match[2]! } : { name: text.trim(), unit: '' };
 }
 
-/** Whether a line ends before its last number does; without its line break nobody can tell. */
-function isCut(line: string, columns: number): boolean {
-  const cells = line.split(',');
-  return cells.length !== columns || cells.some((cell) => cell.trim() === '');
+/** A number, or NaN where a cell is empty or holds none. */
+function toNumber(cell: string): number {
+  return cell.trim() === '' ? NaN : Number(cell);
 }
 
 /**
- * Reads a table of numbers whose first line names the columns. A last line without a line break is
- * dropped: its last number may be half a number. Lines of another length than the header are
- * left out.
+ * Reads a table of numbers whose first line names the columns; empty cells are NaN. A last line
+ * without a line break is dropped, as in a run that is still going on: its last number may be half
+ * a number. Lines of another length than the header are left out.
  */
 export function parseTable(text: string): Table {
   const lines = text.split(/\r?\n/);
   const headers = lines.shift()!.split(',').map(parseHeader);
-  const rest = lines.pop() ?? '';
-  const whole = lines.filter((line) => !isCut(line, headers.length));
-  const values = headers.map(() => new Float64Array(whole.length));
-  whole.forEach((line, row) => {
-    line.split(',').forEach((cell, column) => (values[column]![row] = Number(cell)));
-  });
+  const rows = lines
+    .slice(0, -1)
+    .map((line) => line.split(','))
+    .filter((cells) => cells.length === headers.length);
+  const values = headers.map((_, column) =>
+    Float64Array.from(rows, (cells) => toNumber(cells[column]!)),
+  );
   const columns = headers.map((header, i) => ({ ...header, values: values[i]! }));
-  return { columns, rows: whole.length, incomplete: rest.trim() !== '' };
+  return { columns, rows: rows.length };
+}
+
+/** One line of a table; cells with commas, quotes or line breaks are quoted (RFC 4180). */
+export function csvLine(cells: readonly (string | number)[]): string {
+  const quoted = (cell: string) =>
+    /[",\r\n]/.test(cell) ? `"${cell.replaceAll('"', '""')}"` : cell;
+  return cells.map((cell) => quoted(String(cell))).join();
 }
 
 /** The column of a name, or null where the table has none. */

@@ -31,14 +31,24 @@ function checked(bundle: unknown): Bundle {
 /** Reads one chunk; chunks are decoded when asked for. */
 export type ChunkReader = (chunk: Chunk) => Promise<Uint8Array>;
 
-/** Reads chunks from the elements `washtub-chunk-N`; each one's text is freed once it is read. */
+const TOO_OLD =
+  'This browser is too old to read the data of this page. ' +
+  'It needs Firefox 113, Chromium 80, Safari 16.4 or a later one.';
+
+/**
+ * Reads chunks from the elements `washtub-chunk-N`, each of them once: the element is taken out of
+ * the page, so that its text takes no memory.
+ */
 export function chunkReader(page: Document): ChunkReader {
   return async (chunk) => {
+    if (typeof DecompressionStream === 'undefined') throw new DataError(TOO_OLD);
     const element = page.getElementById(`washtub-chunk-${chunk}`);
     if (!element)
       throw new DataError(`The data of this page are damaged: part ${chunk} is missing.`);
+    const text = element.textContent ?? '';
+    element.remove();
     try {
-      return await inflate(fromBase64(element.textContent ?? ''));
+      return await inflate(fromBase64(text));
     } catch {
       throw new DataError(`The data of this page are damaged: part ${chunk} cannot be read.`);
     }

@@ -28,7 +28,11 @@ export async function loadField(index: RunIndex, read: ChunkReader): Promise<Fie
     solid: await read(fields.solid),
   };
   const values = fields.frames.length * field.cells;
-  if (field.velocity.length < values * field.axes || field.solid.length < values)
+  const whole =
+    field.velocity.length === values * field.axes &&
+    field.solid.length === values &&
+    (field.vorticity === null || field.vorticity.length === values);
+  if (!whole)
     throw new DataError('The data of this page are damaged: the water has not all its frames.');
   return field;
 }
@@ -44,21 +48,6 @@ export function expansion(largest: number): Float32Array {
     const q = (i - 128) / 127;
     return Math.sign(q) * largest * q * q;
   });
-}
-
-/** Velocity in the cell (i, j, k) of a field's frame [m/s]. */
-export function velocityAt(
-  field: Field,
-  frame: number,
-  [i, j, k]: readonly [number, number, number],
-): number[] {
-  const [nx, ny] = field.index.cells;
-  const cell = i + nx * (j + ny * k);
-  const table = expansion(field.index.velocity.largest[frame] ?? 0);
-  return Array.from(
-    { length: field.axes },
-    (_, axis) => table[128 + field.velocity[(frame * field.axes + axis) * field.cells + cell]!]!,
-  );
 }
 
 /** Quantities that the field can show. */

@@ -25,3 +25,11 @@ export function frameAt(times: readonly number[], time: number): number {
   }
   return Math.max(low, 0);
 }
+
+/** Decimal places that tell the times of frames [s] apart, by the middle one of their distances. */
+export function decimalsFor(times: readonly number[]): number {
+  const steps = times.slice(1).map((time, i) => time - times[i]!);
+  const middle = steps.sort((a, b) => a - b)[Math.floor(steps.length / 2)] ?? 0;
+  if (!(middle > 0)) return 3;
+  return Math.min(Math.max(1 - Math.floor(Math.log10(middle)), middle < 1 ? 3 : 1), 9);
+}

@@ -14,7 +14,8 @@ export interface WashtubPage {
   speed(): number;
   /** Shows the run at `time` [s], drawn on return; stops playing. */
   show(time: number): void;
-  /** The views at this size [pixels] with legend and time, as a data URL. */
+  /** The views at this size [pixels] with legend and time, as a data URL; above 540 pixels high
+   * letters and lines grow with it. */
   capture(width: number, height: number, type?: string): string;
   /** Time to bring the scene up to date, and to draw it as well, at the time shown [ms]. */
   drawTime(): { update: number; whole: number };
@@ -54,7 +55,7 @@ export function buildApi(
     },
     capture(width, height, type = 'image/png') {
       if (!stage) throw new Error('There are no views: no frames, or no WebGL.');
-      return stage.picture(width, height).toDataURL(type, 0.92);
+      return stage.picture(width, height, Math.max(height / 540, 1)).toDataURL(type, 0.92);
     },
     drawTime() {
       const begin = performance.now();

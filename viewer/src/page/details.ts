@@ -1,5 +1,5 @@
 import type { RunIndex } from '../model/bundle';
-import { button, download, element, fileName } from '../plots/dom';
+import { button, download, element, fileName } from '../dom';
 
 /** The runs' cases, folded, and what the page was made by. */
 export function buildDetails(runs: RunIndex[], program: string): HTMLElement {

@@ -1,20 +1,33 @@
 import type { Group, RunIndex } from '../model/bundle';
-import { element } from '../plots/dom';
+import { element } from '../dom';
 import { formatNumber } from '../plots/format';
 
 const outcomeMarks: Record<string, string> = { complete: '✓', stopped: '■', unfinished: '…' };
 
-/** What a run is: title, outcome, warnings, dimensionless groups, facts, and notes. */
-export function buildHead(run: RunIndex): HTMLElement {
+/**
+ * What a run is: title, outcome, warnings, dimensionless groups, facts, and notes. In a comparison
+ * all but title and outcome are in a fold, so that the views come soon.
+ */
+export function buildHead(run: RunIndex, _: number, all: readonly RunIndex[]): HTMLElement {
+  const details = [
+    buildSentences('warnings', 'Warning', '⚠', run.warnings),
+    element('div', { class: 'groups' }, ...buildGroups(run.groups), buildFacts(run)),
+    buildSentences('notes', 'Note', 'i', run.notes),
+  ];
   return element(
     'div',
     { class: 'run-head' },
     element('h1', {}, run.title || run.name),
     element('p', { class: 'run-name' }, buildOutcome(run.outcome), ` ${run.directory || run.name}`),
-    buildSentences('warnings', 'Warning', '⚠', run.warnings),
-    element('div', { class: 'groups' }, ...buildGroups(run.groups), buildFacts(run)),
-    buildSentences('notes', 'Note', 'i', run.notes),
+    ...(all.length > 1 ? [buildFold(run, details)] : details),
   );
+}
+
+/** The details in a fold whose title counts the warnings. */
+function buildFold({ warnings }: RunIndex, details: (HTMLElement | null)[]): HTMLElement {
+  const count = warnings.length === 1 ? '⚠ 1 warning, ' : `⚠ ${warnings.length} warnings, `;
+  const title = `${warnings.length > 0 ? count : ''}groups, facts and notes`;
+  return element('details', { class: 'run-details' }, element('summary', {}, title), ...details);
 }
 
 function buildOutcome(outcome: string): HTMLElement {

@@ -2,7 +2,7 @@ import type { Clock } from '../model/clock';
 import type { Store } from '../model/store';
 import type { Choices, Settings, SliceChoice } from '../scene/settings';
 import type { Stage } from '../scene/stage';
-import { button, make } from './dom';
+import { button, make } from '../dom';
 import { changeSpeed, togglePlaying } from './timeline';
 
 /** A key, what it does in words, and the doing. */
@@ -24,6 +24,7 @@ interface Parts {
 /** Listens to the keys of the page and returns the list of them, opened by `?`. */
 export function buildKeys(parts: Parts): HTMLDialogElement {
   const dialog = make('dialog', 'keys');
+  dialog.setAttribute('aria-label', 'Keys');
   const keys = [
     ...timeKeys(parts.clock),
     ...(parts.stage ? viewKeys(parts, parts.stage) : []),
@@ -58,14 +59,19 @@ function toggle(dialog: HTMLDialogElement): void {
   else dialog.showModal();
 }
 
+/** Regions that the arrow keys scroll once they have the focus. */
+const SCROLLED = '.table-scroll, pre';
+
 /** Whether a key belongs to the element that has the focus, or to the browser. */
 function isTaken(event: KeyboardEvent): boolean {
-  if (event.ctrlKey || event.altKey || event.metaKey) return true;
+  const written = event.getModifierState('AltGraph') || (event.altKey && '[]'.includes(event.key));
+  if ((event.ctrlKey || event.altKey || event.metaKey) && !written) return true;
   const at = event.target instanceof HTMLElement ? event.target : null;
   if (!at) return false;
   if (at.isContentEditable || at.matches('textarea, select')) return true;
   if (at instanceof HTMLInputElement && !['range', 'checkbox'].includes(at.type)) return true;
   if (at.matches('input[type=range]:not(.scrub)')) return event.key.length > 1; // moves the slider
+  if (at.matches(SCROLLED) && (event.key.length > 1 || event.key === ' ')) return true;
   return event.key === ' ' && at.matches('button, summary, a, input[type=checkbox]');
 }
 

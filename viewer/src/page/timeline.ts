@@ -1,9 +1,12 @@
 import type { Clock } from '../model/clock';
-import { timeText } from '../scene/view';
-import { button, make, select } from './dom';
+import { decimalsFor } from '../model/moment';
+import { timeText } from '../scene/caption';
+import { button, make, select } from '../dom';
 
-/** Seconds of the run per second of the reader. */
-export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4] as const;
+/** Speeds to choose from: seconds of the run per second of the reader. */
+export function speedsOf({ pace }: Clock): number[] {
+  return [0.1, 0.25, 0.5, 1, 2, 4].map((times) => Number((times * pace).toPrecision(6)));
+}
 
 /** Play, step, scrub, speed, and the time; `period` of the stroke [s], 0 where there is none. */
 export function buildTimeline(clock: Clock, period: number): HTMLElement {
@@ -11,9 +14,11 @@ export function buildTimeline(clock: Clock, period: number): HTMLElement {
   play.classList.add('play');
   const scrub = scrubber(clock);
   const readout = make('output', 'time');
+  readout.setAttribute('aria-live', 'off'); // the slider tells the time to those who do not see it
+  const decimals = decimalsFor(clock.times);
   const speed = select(
     'speed',
-    SPEEDS.map((value) => [String(value), `${value}×`] as const),
+    speedsOf(clock).map((value) => [String(value), `${value}×`] as const),
     (value) => clock.set({ speed: Number(value) }),
   );
   clock.subscribe(({ time, playing, speed: now }) => {
@@ -22,8 +27,8 @@ export function buildTimeline(clock: Clock, period: number): HTMLElement {
     play.title = name;
     play.setAttribute('aria-label', name);
     scrub.value = String(time);
-    scrub.setAttribute('aria-valuetext', timeText(time, period));
-    readout.textContent = timeText(time, period);
+    scrub.setAttribute('aria-valuetext', timeText(time, period, decimals));
+    readout.textContent = timeText(time, period, decimals);
     speed.select.value = String(now);
   });
   const element = make(
@@ -59,9 +64,10 @@ export function togglePlaying(clock: Clock): void {
 
 /** Goes to the next speed, or the one before. */
 export function changeSpeed(clock: Clock, by: 1 | -1): void {
-  const now = SPEEDS.findIndex((value) => value >= clock.state.speed);
-  const next = Math.min(Math.max(now + by, 0), SPEEDS.length - 1);
-  clock.set({ speed: SPEEDS[next]! });
+  const speeds = speedsOf(clock);
+  const now = speeds.findIndex((value) => value >= clock.state.speed);
+  const next = Math.min(Math.max(now + by, 0), speeds.length - 1);
+  clock.set({ speed: speeds[next]! });
 }
 
 /** Lets the clock run while it plays, picture by picture of the screen. */

@@ -1,7 +1,7 @@
 import type { FieldQuantity } from '../model/field';
 import type { Store } from '../model/store';
 import type { Choices, ClothColour, RangeChoice, Settings, SliceChoice } from '../scene/settings';
-import { button, make, select, slider, tick } from './dom';
+import { button, make, select, slider, tick } from '../dom';
 
 /** What the buttons do beyond changing the settings. */
 export interface Actions {
@@ -61,7 +61,7 @@ function clothGroup(settings: Store<Settings>, choices: Choices): HTMLElement {
   const range = select('colours span', RANGES, (value) => settings.set({ range: value }));
   const trails = select(
     'trails',
-    choices.trails.map((s) => [String(s), s ? `${Number(s.toPrecision(2))} s` : 'none'] as const),
+    choices.trails.map((length) => [String(length), trailText(length, choices.period)] as const),
     (value) => settings.set({ trails: Number(value) }),
   );
   const shown = tick('cloth', (on) => settings.set({ cloth: on }));
@@ -73,6 +73,14 @@ function clothGroup(settings: Store<Settings>, choices: Choices): HTMLElement {
     shown.input.checked = now.cloth;
   });
   return make('div', 'group', shown.element, colour.element, range.element, trails.element);
+}
+
+/** Length of a trail in cycles where there is a period [s], else in seconds. */
+function trailText(length: number, period: number): string {
+  if (length === 0) return 'none';
+  if (!(period > 0)) return `${Number(length.toPrecision(3))} s`;
+  const cycles = Math.round((2 * length) / period) / 2;
+  return cycles === 0.5 ? '½ cycle' : `${cycles} ${cycles === 1 ? 'cycle' : 'cycles'}`;
 }
 
 function waterGroup(settings: Store<Settings>, choices: Choices): HTMLElement {
@@ -88,6 +96,11 @@ function waterGroup(settings: Store<Settings>, choices: Choices): HTMLElement {
   );
   const angle = slider('angle', [0, 180, 1], (value) => settings.set({ angle: value }));
   const height = slider('height', [0, 1, 0.005], (value) => settings.set({ height: value }));
+  const [angleNow, heightNow] = [make('output', 'value'), make('output', 'value')];
+  angleNow.setAttribute('aria-live', 'off');
+  heightNow.setAttribute('aria-live', 'off');
+  angle.element.append(angleNow);
+  height.element.append(heightNow);
   const arrows = tick('arrows', (on) => settings.set({ arrows: on }));
   settings.subscribe((now) => {
     const off = now.slice === 'off';
@@ -96,7 +109,12 @@ function waterGroup(settings: Store<Settings>, choices: Choices): HTMLElement {
     angle.input.value = String(now.angle);
     angle.input.setAttribute('aria-valuetext', `${now.angle} degrees from x`);
     height.input.value = String(now.height);
-    height.input.setAttribute('aria-valuetext', `${Math.round(100 * now.height)} % of the depth`);
+    const heightText = choices.depth
+      ? `${(100 * choices.depth * now.height).toFixed(1)} cm`
+      : `${Math.round(100 * now.height)} %`;
+    height.input.setAttribute('aria-valuetext', `${heightText} above the floor`);
+    angleNow.textContent = `${now.angle}°`;
+    heightNow.textContent = heightText;
     arrows.input.checked = now.arrows;
     quantity.element.hidden = arrows.element.hidden = off;
     angle.element.hidden = choices.plane || off || now.slice === 'horizontal';

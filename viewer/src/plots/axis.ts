@@ -1,5 +1,20 @@
 import type { Clock } from '../model/clock';
 
+/**
+ * The time that holds all statistics windows, as far as there are values; null where they have
+ * none in common with the `whole` time of the values [s].
+ */
+export function commonWindow(
+  windows: readonly (readonly [number, number])[],
+  [begin, end]: readonly [number, number],
+): [number, number] | null {
+  const known = windows.filter(([from, to]) => to > from && to > begin && from < end);
+  if (known.length === 0) return null;
+  const from = Math.min(...known.map((window) => window[0]));
+  const to = Math.max(...known.map((window) => window[1]));
+  return [Math.max(from, begin), Math.min(to, end)];
+}
+
 /** The time axis that all plots share: what of it is seen, and the time pointed at. */
 export class TimeAxis {
   #range: [number, number];

@@ -55,16 +55,22 @@ function curvesOf(run: RunTables, wanted: Wanted, taken: Taken, style: Style): C
   const mean = wanted.smooth ? runningMean(taken, run.index.scales.period / 20) : null;
   if (!mean) return [curve];
   const label = `${style.label}, mean over 1/20 cycle`;
-  const smooth = { ...curve, ...mean, label, column: `${wanted.column}, running mean`, width: 2.5 };
+  const smooth = {
+    ...curve,
+    ...mean,
+    label,
+    column: `${wanted.column} (running mean)`,
+    width: 2.5,
+  };
   return [{ ...curve, faint: true }, smooth];
 }
 
-function bandOf(run: RunTables, wanted: Wanted, unit: string, colour: string): MeanBand[] {
+function bandOf(run: RunTables, wanted: Wanted, unit: string, curve: Curve): MeanBand[] {
   const fits = (q: Quantity) => q.name === wanted.quantity && q.unit === unit;
   const quantity = run.index.quantities.find(fits);
-  if (!quantity || wanted.shown === false) return [];
+  if (!quantity) return [];
   const [from, to] = run.index.window;
-  return [{ mean: quantity.mean, halfWidth: quantity.half_width, from, to, colour }];
+  return [{ curve, mean: quantity.mean, halfWidth: quantity.half_width, from, to }];
 }
 
 /** The statistics windows of the runs, each different one once. */
@@ -99,8 +105,9 @@ function plotOf(runs: RunTables[], entry: Entry, styled: StyledCurve[]): TimePlo
     const taken = take(run, wanted);
     if (!taken || taken.times.length < 1) continue;
     plot.unit = taken.unit;
-    plot.curves.push(...curvesOf(run, wanted, taken, style));
-    plot.bands.push(...bandOf(run, wanted, taken.unit, style.colour));
+    const curves = curvesOf(run, wanted, taken, style);
+    plot.curves.push(...curves);
+    plot.bands.push(...bandOf(run, wanted, taken.unit, curves[0]!));
   }
   return plot.curves.length > 0 ? plot : null;
 }

@@ -62,7 +62,7 @@ export function pieceColumn(tracks: Table, piece: number, what: string): Float64
 
 /**
  * At each time, the rms distance of the pieces' centres from their common centre in the (r, z)
- * plane [m]. Pieces count alike.
+ * plane [m]. Pieces count alike; those without a number do not count.
  */
 export function scatterOverTime(tracks: Table): Series | null {
   const time = findColumn(tracks, 'time');
@@ -70,28 +70,38 @@ export function scatterOverTime(tracks: Table): Series | null {
   if (!time || count < 2) return null;
   const variance = new Float64Array(tracks.rows);
   for (const coordinate of ['r', 'z']) {
-    const sum = new Float64Array(tracks.rows);
     const pieces = Array.from({ length: count }, (_, p) => pieceColumn(tracks, p + 1, coordinate));
-    for (const piece of pieces) piece?.forEach((x, i) => (sum[i]! += x / count));
-    for (const piece of pieces)
-      piece?.forEach((x, i) => (variance[i]! += (x - sum[i]!) ** 2 / count));
+    for (let i = 0; i < tracks.rows; ++i)
+      variance[i]! += varianceOf(pieces.map((piece) => piece?.[i] ?? NaN).filter(Number.isFinite));
   }
   return { times: time.values, values: variance.map(Math.sqrt) };
 }
 
+/** Mean square distance of numbers from their mean; NaN where there are fewer than two. */
+function varianceOf(numbers: readonly number[]): number {
+  if (numbers.length < 2) return NaN;
+  const mean = numbers.reduce((sum, x) => sum + x, 0) / numbers.length;
+  return numbers.reduce((sum, x) => sum + (x - mean) ** 2, 0) / numbers.length;
+}
+
 /**
  * Mean over the samples within half a `width` [s] of each; null where that would hold fewer than
- * four samples, and so smooth nothing.
+ * four samples, and so smooth nothing. Samples that are no numbers do not count.
  */
 export function runningMean({ times, values }: Series, width: number): Series | null {
   const span = (times.at(-1) ?? 0) - (times[0] ?? 0);
   if (!(width > 0) || !(span > 0) || (width * (times.length - 1)) / span < 4) return null;
   const means = new Float64Array(values.length);
-  let sum = 0;
+  let [sum, count] = [0, 0];
+  const add = (sample: number, sign: 1 | -1) => {
+    if (!Number.isFinite(values[sample])) return;
+    sum += sign * values[sample]!;
+    count += sign;
+  };
   for (let i = 0, from = 0, to = 0; i < times.length; ++i) {
-    while (to < times.length && times[to]! <= times[i]! + width / 2) sum += values[to++]!;
-    while (times[from]! < times[i]! - width / 2) sum -= values[from++]!;
-    means[i] = sum / (to - from);
+    while (to < times.length && times[to]! <= times[i]! + width / 2) add(to++, 1);
+    while (times[from]! < times[i]! - width / 2) add(from++, -1);
+    means[i] = count > 0 ? sum / count : NaN;
   }
   return { times, values: means };
 }

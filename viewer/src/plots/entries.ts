@@ -125,7 +125,9 @@ function otherEntries(table: Table, known: Entry[]): Entry[] {
 
 /** The catalogue of what the runs could show; curves that no run has are still in it. */
 export function entriesFor(tables: Table[]): Entry[] {
-  const solids = new Map(tables.flatMap(solidsOf).map((solid) => [solid.name, solid]));
+  const solids = new Map<string, { name: string; moving: boolean }>();
+  for (const { name, moving } of tables.flatMap(solidsOf))
+    solids.set(name, { name, moving: moving || solids.get(name)?.moving === true });
   const known = [
     ...clothEntries(),
     ...[...solids.values()].flatMap(solidEntries),

@@ -6,7 +6,7 @@ const prefixes: readonly [number, string][] = [
   [1e6, 'M'],
   [1e9, 'G'],
 ];
-const prefixable = /^((Pa|N|J|W|m)( m|\/m|\/s)?|s)$/;
+const prefixable = /^((Pa|N|J|W)( m)?(\/m|\/s)?|m(\/s)?|s)$/;
 
 /** How a quantity is shown: its value in SI units times `factor` is in `unit`. */
 export interface Display {
@@ -58,6 +58,11 @@ export function formatNumber(x: number, digits = 4): string {
   return minus((rounded / 10 ** order).toFixed(digits - 1)) + ` × 10${superscript(order)}`;
 }
 
+/** The same; 0 where it is nothing beside `largest`, the size of the values around it. */
+export function formatBeside(x: number, largest: number, digits = 4): string {
+  return formatNumber(Math.abs(x) < 1e-5 * largest ? 0 : x, digits);
+}
+
 /**
  * "168 ± 25": the half width has two significant digits and decides those of the mean; without one
  * the mean has four.
@@ -71,6 +76,17 @@ export function formatInterval(mean: number, halfWidth: number | null): string {
   const decimals = 1 - orderOf(half);
   const text = `${minus(atPlace(mean / 10 ** power, decimals))} ± ${atPlace(half, decimals)}`;
   return power === 0 ? text : `(${text}) × 10${superscript(power)}`;
+}
+
+/** Whether the half width of an interval exceeds the mean that it belongs to. */
+export function isWide(mean: number, halfWidth: number | null): boolean {
+  return halfWidth !== null && halfWidth > Math.abs(mean);
+}
+
+/** As `formatInterval`; where the half width exceeds the mean, both have three digits. */
+export function formatMean(mean: number, halfWidth: number | null): string {
+  if (!isWide(mean, halfWidth)) return formatInterval(mean, halfWidth);
+  return `${formatBeside(mean, halfWidth!, 3)} ± ${formatNumber(halfWidth!, 3)}`;
 }
 
 /** "+12 %", "−3.5 %": always with its sign. */

@@ -1,5 +1,4 @@
-import { element } from './dom';
-import { formatNumber, type Display } from './format';
+import { element } from '../dom';
 import type { Curve } from './spec';
 import { cssColour } from './theme';
 
@@ -21,15 +20,24 @@ export function sampleAt(curve: Curve, time: number): number | null {
   return time - times[low]! <= times[low + 1]! - time ? low : low + 1;
 }
 
+/** Which curves are shown after one is singled out: it alone, or all where it is alone already. */
+export function isolated(curves: readonly Pick<Curve, 'shown'>[], i: number): boolean[] {
+  const alone = curves.every(({ shown }, k) => shown === (k === i));
+  return curves.map((_, k) => alone || k === i);
+}
+
 export interface Legend {
   element: HTMLElement;
   update(time: number): void;
 }
 
-/** Names of the curves with their values; each is a switch, and a double click leaves it alone. */
+/**
+ * Names of the curves with their values. Each is a switch; a double click, or Shift + Enter, leaves
+ * it alone, and shows all where it is alone already.
+ */
 export function buildLegend(
   curves: Curve[],
-  display: Display,
+  valueText: (value: number) => string,
   setShown: (curve: number, shown: boolean) => void,
 ): Legend {
   const entries = curves.map((curve) => buildEntry(curve));
@@ -38,16 +46,23 @@ export function buildLegend(
     entries[i]!.toggle.setAttribute('aria-pressed', String(shown));
     setShown(i, shown);
   };
+  const isolate = (i: number) =>
+    isolated(curves, i).forEach((shown, k) => curves[k]!.shown !== shown && show(k, shown));
   entries.forEach(({ toggle }, i) => {
     toggle.addEventListener('click', () => show(i, !curves[i]!.shown));
-    toggle.addEventListener('dblclick', () => curves.forEach((_, k) => show(k, k === i)));
+    toggle.addEventListener('dblclick', () => isolate(i));
+    toggle.addEventListener('keydown', (event) => {
+      if (event.key !== 'Enter' || !event.shiftKey) return;
+      event.preventDefault();
+      isolate(i);
+    });
   });
   const items = entries.map(({ toggle }) => element('li', {}, toggle));
   const update = (time: number) =>
     entries.forEach(({ value }, i) => {
       const sample = sampleAt(curves[i]!, time);
       const known = sample === null ? NaN : curves[i]!.values[sample]!;
-      const text = `${formatNumber(known * display.factor, 4)} ${display.unit}`.trim();
+      const text = valueText(known);
       if (value.textContent !== text) value.textContent = text;
     });
   return { element: element('ul', { class: 'plot-legend' }, ...items), update };
@@ -61,7 +76,7 @@ function buildEntry(curve: Curve) {
   if (curve.faint) line.style.opacity = '0.45';
   const value = element('span', { class: 'plot-value' }, '–');
   const label = element('span', { class: 'plot-label' }, curve.label);
-  const title = 'Show or hide; a double click shows this one alone';
+  const title = 'Show or hide; a double click or Shift + Enter shows this one alone, and again all';
   const toggle = element(
     'button',
     { type: 'button', title, 'aria-pressed': String(curve.shown) },

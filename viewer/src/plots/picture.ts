@@ -1,5 +1,5 @@
 import type uPlot from 'uplot';
-import { download } from './dom';
+import { download } from '../dom';
 import type { Curve, TimePlotSpec } from './spec';
 import { colourOf } from './theme';
 

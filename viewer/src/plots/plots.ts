@@ -2,9 +2,9 @@ import 'uplot/dist/uPlot.min.css';
 import type { Clock } from '../model/clock';
 import { findColumn, parseTable } from '../model/csv';
 import type { LoadedRun } from '../model/run';
-import { TimeAxis } from './axis';
+import { commonWindow, TimeAxis } from './axis';
 import { catalogue } from './catalogue';
-import { button, element } from './dom';
+import { button, element } from '../dom';
 import { pieceSection } from './pieces';
 import { register } from './registry';
 import type { RunTables, Section } from './spec';
@@ -15,6 +15,9 @@ export { plots } from './registry';
 
 const hint =
   'Point at a curve for values, click or drag to set the time. Shift + drag or Shift + wheel zooms, a double click shows all. Click on a name to hide its curve.';
+
+const windowHint =
+  ' Grey: the statistics window. Dashed: the mean over it, in a band that is its 95 % interval; one wider than the plot is left out.';
 
 type Readable = Pick<LoadedRun, 'index' | 'history' | 'tracks'>;
 
@@ -58,18 +61,21 @@ function wholeTime(tables: RunTables[], clock: Clock): [number, number] {
 
 /** Title, how to use the plots, and buttons that choose the time shown. */
 function buildHead(tables: RunTables[], axis: TimeAxis): HTMLElement {
-  const [from, to] = tables[0]?.index.window ?? [0, 0];
-  const window = button('Statistics window', 'Show the time of the statistics', () =>
-    axis.show(from, to),
+  const window = commonWindow(
+    tables.map(({ index }) => index.window),
+    axis.whole,
   );
-  const buttons = [button('Whole run', 'Show all time', () => axis.reset())];
-  if (to > from) buttons.push(window);
-  const head = element('div', { class: 'plot-head' }, element('h2', {}, 'Plots'), ...buttons);
-  const legend =
-    to > from
-      ? ' Grey: the statistics window. Dashed with a band: the mean there and its 95 % interval.'
-      : '';
-  return element('div', {}, head, element('p', { class: 'note' }, hint + legend));
+  const show = window && (() => axis.show(...window));
+  const head = element(
+    'div',
+    { class: 'plot-head' },
+    element('h2', {}, 'Plots'),
+    element('a', { href: '#statistics' }, 'Statistics'),
+    button('Whole run', 'Show all time', () => axis.reset()),
+    show && button('Statistics window', 'Show the time of the statistics', show),
+  );
+  const note = element('p', { class: 'note' }, window ? hint + windowHint : hint);
+  return element('div', {}, head, note);
 }
 
 /** A fold whose plots are built when it is opened for the first time. */

@@ -1,12 +1,15 @@
 import type uPlot from 'uplot';
 import type { TimeAxis } from './axis';
-import { element } from './dom';
+import { element } from '../dom';
 
 const smallestDrag = 4; // [CSS pixel]
+const smallestStroke = 8; // of a finger that moves the clock [CSS pixel]
+const noSelection = { left: 0, top: 0, width: 0, height: 0 };
 
 /**
  * What pointer and wheel do over a time plot: hovering shows values, clicking and dragging set the
- * clock, dragging with Shift and the wheel with Shift or Ctrl zoom, a double click shows all.
+ * clock, dragging with Shift and the wheel with Shift or Ctrl zoom, a double click shows all. A
+ * finger sets the clock when it is lifted or has moved sideways, so that one can scroll with it.
  */
 export function followPointer(plot: uPlot, axis: TimeAxis): void {
   const area = plot.over;
@@ -15,21 +18,29 @@ export function followPointer(plot: uPlot, axis: TimeAxis): void {
     return plot.posToVal(Math.min(Math.max(left, 0), area.clientWidth), 'x');
   };
   let dragFrom: number | null = null; // where a zoom began [s]
+  let touchFrom: number | null = null; // where a finger was put down [CSS pixel]
   const setClock = (event: PointerEvent) => axis.clock.set({ time: timeAt(event), playing: false });
   area.addEventListener('pointerdown', (event) => {
     if (event.button !== 0) return;
     area.setPointerCapture(event.pointerId);
     if (event.shiftKey) dragFrom = timeAt(event);
+    else if (event.pointerType === 'touch') touchFrom = event.clientX;
     else setClock(event);
   });
   area.addEventListener('pointermove', (event) => {
     axis.hover = event.pointerType === 'touch' ? null : timeAt(event);
     if (dragFrom !== null) markSelection(plot, dragFrom, timeAt(event));
+    else if (touchFrom !== null && Math.abs(event.clientX - touchFrom) < smallestStroke) return;
     else if (event.buttons & 1) setClock(event);
   });
   area.addEventListener('pointerup', (event) => {
     if (dragFrom !== null) zoomTo(plot, axis, dragFrom, timeAt(event));
-    dragFrom = null;
+    if (touchFrom !== null) setClock(event);
+    dragFrom = touchFrom = null;
+  });
+  area.addEventListener('pointercancel', () => {
+    plot.setSelect(noSelection, false);
+    dragFrom = touchFrom = null;
   });
   area.addEventListener('pointerleave', () => (axis.hover = null));
   area.addEventListener('dblclick', () => axis.reset());
@@ -45,7 +56,7 @@ function markSelection(plot: uPlot, from: number, to: number): void {
 }
 
 function zoomTo(plot: uPlot, axis: TimeAxis, from: number, to: number): void {
-  plot.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
+  plot.setSelect(noSelection, false);
   const pixels = Math.abs(plot.valToPos(to, 'x') - plot.valToPos(from, 'x'));
   if (pixels >= smallestDrag) axis.show(Math.min(from, to), Math.max(from, to));
 }

@@ -23,13 +23,13 @@ export interface Curve {
   shown: boolean;
 }
 
-/** Mean of a quantity over the window with its 95 % interval, SI. */
+/** Mean of a curve's quantity over the window with its 95 % interval, SI. */
 export interface MeanBand {
+  curve: Curve; // seen together with it
   mean: number;
   halfWidth: number | null;
   from: number; // [s]
   to: number; // [s]
-  colour: string;
 }
 
 export interface TimePlotSpec {

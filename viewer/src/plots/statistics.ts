@@ -1,6 +1,6 @@
 import type uPlot from 'uplot';
 import type { Display } from './format';
-import type { TimePlotSpec } from './spec';
+import type { MeanBand, TimePlotSpec } from './spec';
 import { colourOf } from './theme';
 
 /** Draws within the plot's area only. */
@@ -26,22 +26,48 @@ export function drawWindows(plot: uPlot, spec: TimePlotSpec): void {
   });
 }
 
-/** Draws the means over the window as thin lines, and their intervals as bands about them. */
-export function drawBands(plot: uPlot, spec: TimePlotSpec, display: Display): void {
-  const y = (value: number) => plot.valToPos(value * display.factor, 'y', true);
+/** The bands whose curves are seen. */
+function seen({ bands }: TimePlotSpec): MeanBand[] {
+  return bands.filter(({ curve }) => curve.shown);
+}
+
+/**
+ * Fills the means' 95 % intervals, behind the curves. One that is wider than the plot would tell
+ * nothing and hide the curves, so it is left out.
+ */
+export function drawIntervals(plot: uPlot, spec: TimePlotSpec, { factor }: Display): void {
+  const y = (value: number) => plot.valToPos(value * factor, 'y', true);
   clipped(plot, (context) => {
-    for (const band of spec.bands) {
-      const left = plot.valToPos(band.from, 'x', true);
-      const width = plot.valToPos(band.to, 'x', true) - left;
-      context.fillStyle = context.strokeStyle = colourOf(band.colour);
+    for (const { curve, mean, halfWidth, from, to } of seen(spec)) {
+      if (halfWidth === null) continue;
+      const [left, top] = [plot.valToPos(from, 'x', true), y(mean + halfWidth)];
+      const height = y(mean - halfWidth) - top;
+      if (!(height <= plot.bbox.height)) continue;
+      context.fillStyle = colourOf(curve.colour);
       context.globalAlpha = 0.22;
-      if (band.halfWidth !== null) {
-        const top = y(band.mean + band.halfWidth);
-        context.fillRect(left, top, width, y(band.mean - band.halfWidth) - top);
-      }
-      context.globalAlpha = 0.8;
-      context.setLineDash([6, 4]);
-      context.strokeRect(left, y(band.mean), width, 0);
+      context.fillRect(left, top, plot.valToPos(to, 'x', true) - left, height);
+    }
+  });
+}
+
+/** Draws the means over the window as dashed lines over the curves, set off from them. */
+export function drawMeans(plot: uPlot, spec: TimePlotSpec, { factor }: Display): void {
+  const ratio = plot.ctx.canvas.width / plot.width;
+  clipped(plot, (context) => {
+    for (const { curve, mean, from, to } of seen(spec)) {
+      const y = plot.valToPos(mean * factor, 'y', true);
+      const line = (colour: string, width: number, alpha: number, dash: number[]) => {
+        context.globalAlpha = alpha;
+        context.strokeStyle = colourOf(colour);
+        context.lineWidth = width * ratio;
+        context.setLineDash(dash.map((length) => length * ratio));
+        context.beginPath();
+        context.moveTo(plot.valToPos(from, 'x', true), y);
+        context.lineTo(plot.valToPos(to, 'x', true), y);
+        context.stroke();
+      };
+      line('--paper', 4, 0.6, []);
+      line(curve.colour, 2.25, 1, [7, 6]);
     }
   });
 }

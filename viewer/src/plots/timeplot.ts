@@ -1,12 +1,12 @@
 import uPlot from 'uplot';
 import type { TimeAxis } from './axis';
-import { alignedData, csvOf, displayFor } from './data';
-import { button, download, element, fileName } from './dom';
-import { formatTicks, withUnit, type Display } from './format';
+import { alignedData, csvOf, displayFor, isLogarithmic, largestOf } from './data';
+import { button, download, element, fileName } from '../dom';
+import { formatBeside, formatTicks, withUnit, type Display } from './format';
 import { buildLegend } from './legend';
 import { savePicture } from './picture';
 import { addCursorLines, followPointer } from './pointing';
-import { drawBands, drawWindows } from './statistics';
+import { drawIntervals, drawMeans, drawWindows } from './statistics';
 import type { Curve, TimePlotSpec } from './spec';
 import { colourOf, onThemeChange } from './theme';
 
@@ -31,7 +31,9 @@ export function buildTimePlot(spec: TimePlotSpec, { axis, runs, scaled }: PlotPa
     alignedData(spec, display.factor),
     place,
   );
-  const legend = buildLegend(spec.curves, display, (i, show) => plot.setSeries(i + 1, { show }));
+  const legend = buildLegend(spec.curves, valueText(spec, display), (i, show) =>
+    plot.setSeries(i + 1, { show }),
+  );
   const moveLines = addCursorLines(plot, axis);
   const update = () => {
     moveLines();
@@ -39,7 +41,7 @@ export function buildTimePlot(spec: TimePlotSpec, { axis, runs, scaled }: PlotPa
   };
   followPointer(plot, axis);
   axis.onCursor(update);
-  plot.hooks.draw = [moveLines];
+  plot.hooks.draw!.push(moveLines);
   followRange(plot, axis);
   onThemeChange(() => plot.redraw(false, false));
   keepWidth(plot, place, update);
@@ -56,6 +58,15 @@ export function buildTimePlot(spec: TimePlotSpec, { axis, runs, scaled }: PlotPa
   );
   const note = spec.note ? element('p', { class: 'note' }, spec.note) : null;
   return element('figure', { class: 'plot' }, head, place, legend.element, note);
+}
+
+/** Values in the plot's unit; those that are nothing beside the others read 0. */
+function valueText(spec: TimePlotSpec, { factor, unit }: Display): (value: number) => string {
+  const largest = isLogarithmic(spec) ? 0 : largestOf(spec);
+  return (value) => {
+    const number = formatBeside(value * factor, largest * factor);
+    return `${number} ${unit}`.trim();
+  };
 }
 
 /** Draws anew when the time shown changes; out of sight not before it comes into sight. */
@@ -94,10 +105,9 @@ function optionsOf(
   display: Display,
   scaled: boolean,
 ): uPlot.Options {
-  const logarithmic = spec.logarithmic && spec.curves.some((c) => c.values.some((v) => v > 0));
   const scales: uPlot.Scales = {
     x: { time: false, range: () => axis.range },
-    y: { distr: logarithmic ? 3 : 1 },
+    y: { distr: isLogarithmic(spec) ? 3 : 1 },
   };
   const axes = [timeAxis(), valueAxis(withUnit(spec.name, display.unit), 3, 'y')];
   if (spec.scale) {
@@ -118,7 +128,8 @@ function optionsOf(
     axes,
     series: [{}, ...spec.curves.map(seriesOf)],
     hooks: {
-      drawAxes: [(plot) => drawWindows(plot, spec), (plot) => drawBands(plot, spec, display)],
+      drawAxes: [(plot) => drawWindows(plot, spec), (plot) => drawIntervals(plot, spec, display)],
+      draw: [(plot) => drawMeans(plot, spec, display)],
     },
   };
 }

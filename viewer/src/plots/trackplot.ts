@@ -1,6 +1,8 @@
 import uPlot from 'uplot';
+import { csvLine } from '../model/csv';
 import type { TimeAxis } from './axis';
-import { button, download, element, fileName } from './dom';
+import { cell } from './data';
+import { button, download, element, fileName } from '../dom';
 import { displayOf, formatTicks } from './format';
 import { pictureOf } from './picture';
 import type { RunTables } from './spec';
@@ -137,9 +139,9 @@ function chooser(all: Track[], choose: (tracks: Track[]) => void): HTMLSelectEle
 function csvOf(tracks: Track[], times: Float64Array): string {
   const names = tracks.flatMap(({ piece }) => [`piece ${piece} r [m]`, `piece ${piece} z [m]`]);
   const rows = Array.from(times, (time, i) =>
-    [time, ...tracks.flatMap(({ r, z }) => [r[i]!, z[i]!])].join(),
+    csvLine([time, ...tracks.flatMap(({ r, z }) => [cell(r[i]), cell(z[i])])]),
   );
-  return [['time [s]', ...names].join(), ...rows, ''].join('\n');
+  return [csvLine(['time [s]', ...names]), ...rows, ''].join('\n');
 }
 
 function savePicture(plot: uPlot, overlay: HTMLCanvasElement, run: RunTables, name: string): void {

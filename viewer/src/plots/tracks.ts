@@ -27,8 +27,9 @@ export function tracksOf({ index, tracks }: RunTables): Track[] {
 export function extentOf(tracks: readonly Track[]): { r: number; z: [number, number] } {
   let [r, low, high] = [0, Infinity, -Infinity];
   for (const track of tracks) {
-    for (const x of track.r) r = Math.max(r, x);
-    for (const x of track.z) [low, high] = [Math.min(low, x), Math.max(high, x)];
+    for (const x of track.r) if (Number.isFinite(x)) r = Math.max(r, x);
+    for (const x of track.z)
+      if (Number.isFinite(x)) [low, high] = [Math.min(low, x), Math.max(high, x)];
   }
   return { r, z: [low, high] };
 }

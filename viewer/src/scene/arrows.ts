@@ -4,8 +4,13 @@ import type { Part, Showing } from './part';
 import type { Sampler } from './sampling';
 import type { Rectangle } from './slice';
 
-/** Arrows along the longer side of a slice. */
-const ALONG = 26;
+/** Arrows along the longer side of a slice, in two and in three dimensions. */
+const ALONG = { 2: 26, 3: 20 } as const;
+/** Length of the arrow of the frame's largest speed, were there no limit [distances of arrows]. */
+const LENGTH = { 2: 2.4, 3: 4.5 } as const;
+const LONGEST = 1.6;
+const SHORTEST = 0.1; // shorter ones are left out
+const NARROWEST = 0.45; // shorter ones are as wide as one of this length
 
 /** Arrows of the velocity's part in the plane: as long as it is fast, up to a limit. */
 export interface Arrows {
@@ -15,7 +20,7 @@ export interface Arrows {
 
 export function buildArrows(field: Field, sampler: Sampler): Arrows {
   const material = new THREE.MeshBasicMaterial({ side: THREE.DoubleSide });
-  const mesh = new THREE.InstancedMesh(arrowShape(), material, ALONG * ALONG);
+  const mesh = new THREE.InstancedMesh(arrowShape(), material, ALONG[field.axes] ** 2);
   mesh.frustumCulled = false;
   mesh.renderOrder = 1;
   return {
@@ -32,7 +37,7 @@ export function buildArrows(field: Field, sampler: Sampler): Arrows {
 
 /** A flat arrow along x of length 1, which begins at the origin. */
 function arrowShape(): THREE.BufferGeometry {
-  const outline = [0, 0.04, 0.62, 0.04, 0.62, 0.16, 1, 0, 0.62, -0.16, 0.62, -0.04, 0, -0.04];
+  const outline = [0, 0.06, 0.55, 0.06, 0.55, 0.22, 1, 0, 0.55, -0.22, 0.55, -0.06, 0, -0.06];
   const shape = new THREE.Shape();
   for (let i = 0; i < outline.length; i += 2) {
     if (i === 0) shape.moveTo(outline[0]!, outline[1]!);
@@ -73,7 +78,7 @@ class Velocity {
 
 /** Places the arrows and returns their number. */
 function place(mesh: THREE.InstancedMesh, plane: Rectangle, velocity: Velocity): number {
-  const step = Math.max(plane.across.length(), plane.up.length()) / ALONG;
+  const step = Math.max(plane.across.length(), plane.up.length()) / ALONG[velocity.field.axes];
   const [ex, ey] = [plane.across.clone().normalize(), plane.up.clone().normalize()];
   const normal = ex.clone().cross(ey);
   const [at, u, along, side] = Array.from({ length: 4 }, () => new THREE.Vector3()) as [
@@ -83,16 +88,19 @@ function place(mesh: THREE.InstancedMesh, plane: Rectangle, velocity: Velocity):
     THREE.Vector3,
   ];
   const matrix = new THREE.Matrix4();
-  const unit = velocity.largest > 0 ? (2.4 * step) / velocity.largest : 0;
+  const unit = velocity.largest > 0 ? (LENGTH[velocity.field.axes] * step) / velocity.largest : 0;
   let count = 0;
   for (let p = step / 2; p < plane.across.length(); p += step)
     for (let q = step / 2; q < plane.up.length(); q += step) {
       at.copy(plane.corner).addScaledVector(ex, p).addScaledVector(ey, q);
       velocity.at(at, u).addScaledVector(normal, -u.dot(normal));
-      const length = Math.min(unit * u.length(), 1.6 * step);
-      if (length < 0.06 * step || count >= mesh.instanceMatrix.count) continue;
+      const length = Math.min(unit * u.length(), LONGEST * step);
+      if (length < SHORTEST * step || count >= mesh.instanceMatrix.count) continue;
       along.copy(u).setLength(length);
-      side.copy(normal).cross(along);
+      side
+        .copy(normal)
+        .cross(along)
+        .setLength(Math.max(length, NARROWEST * step));
       at.addScaledVector(along, -0.5);
       mesh.setMatrixAt(count++, matrix.makeBasis(along, side, normal).setPosition(at));
     }

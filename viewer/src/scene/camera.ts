@@ -14,6 +14,7 @@ export interface Eye {
   turn(azimuth: number, polar: number): void; // [rad]
   zoom(factor: number): void;
   target: THREE.Vector3;
+  side: Side | null; // from where it looks at the whole, null once the reader has moved it
 }
 
 const FROM: Record<Side, THREE.Vector3> = {
@@ -35,32 +36,29 @@ export function buildEye(box: RunIndex['box'], dimension: 2 | 3, element: HTMLEl
   camera.up.set(0, dimension === 2 ? 1 : 0, dimension === 2 ? 0 : 1);
   const controls = controlsOf(camera, element, reach);
   let aspect = 1;
-  let from: Side | null = dimension === 2 ? 'top' : 'slanted';
-
   const look = (side: Side) => {
-    from = dimension === 2 ? 'top' : side;
+    eye.side = dimension === 2 ? 'top' : side;
     controls.target.copy(centre);
     camera.zoom = 1;
-    const way = dimension === 2 ? new THREE.Vector3(0, 0, 1) : FROM[from];
+    const way = dimension === 2 ? new THREE.Vector3(0, 0, 1) : FROM[eye.side];
     place(camera, controls.target, size, way, aspect);
     camera.updateProjectionMatrix();
     controls.update();
-    from = dimension === 2 ? 'top' : side;
   };
   const fit = (width: number, height: number) => {
     aspect = width / Math.max(height, 1);
     frame(camera, size, aspect);
-    if (from) look(from);
+    if (eye.side) look(eye.side);
   };
-  controls.addEventListener('start', () => (from = null));
-  return {
+  const eye: Eye = {
     camera,
+    side: dimension === 2 ? 'top' : 'slanted',
     target: controls.target,
     moved: (listener) => controls.addEventListener('change', listener),
     look,
     fit,
     copy: (other) => {
-      from = null;
+      eye.side = other.side;
       camera.position.copy(other.camera.position);
       camera.zoom = other.camera.zoom;
       controls.target.copy(other.target);
@@ -68,7 +66,7 @@ export function buildEye(box: RunIndex['box'], dimension: 2 | 3, element: HTMLEl
       controls.update();
     },
     turn: (azimuth, polar) => {
-      from = null;
+      eye.side = null;
       const arm = new THREE.Spherical().setFromVector3(armOf(camera, controls.target));
       arm.theta += azimuth;
       arm.phi = Math.min(Math.max(arm.phi + polar, 0.01), 0.98 * Math.PI);
@@ -77,13 +75,15 @@ export function buildEye(box: RunIndex['box'], dimension: 2 | 3, element: HTMLEl
       controls.update();
     },
     zoom: (factor) => {
-      from = null;
+      eye.side = null;
       if (camera instanceof THREE.OrthographicCamera) camera.zoom *= factor;
       else camera.position.lerp(controls.target, 1 - 1 / factor);
       camera.updateProjectionMatrix();
       controls.update();
     },
   };
+  controls.addEventListener('start', () => (eye.side = null));
+  return eye;
 }
 
 /** From the target to the camera, turned so that y is up, as THREE.Spherical wants it. */
@@ -152,8 +152,8 @@ function frame(
   if (camera instanceof THREE.PerspectiveCamera) camera.aspect = aspect;
   else {
     const half = 0.52 * Math.max(size.y, size.x / aspect);
-    camera.left = -half * aspect;
-    camera.right = half * aspect;
+    camera.left = -0.52 * size.x; // room that is left is at the right, for the legends
+    camera.right = camera.left + 2 * half * aspect;
     camera.top = half;
     camera.bottom = -half;
   }

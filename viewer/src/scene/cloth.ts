@@ -1,6 +1,7 @@
 import * as THREE from 'three';
 import type { ClothIndex } from '../model/bundle';
-import { positionsAt, stressAt, type LoadedRun, type Motion, type StressKind } from '../model/run';
+import { positionsAt, stressAt } from '../model/between';
+import type { LoadedRun, Motion, StressKind } from '../model/run';
 import { clothMaterial } from './cloth_material';
 import { mapOffset, pieceColour } from './colours';
 import { linear } from './linear';
@@ -29,6 +30,8 @@ export function buildCloth(run: LoadedRun): ClothPart | null {
   const paint = painter(motion, sheets, geometry.getAttribute('color') as THREE.BufferAttribute);
   return {
     object: mesh,
+    surface: mesh,
+    sheets,
     points: geometry.getAttribute('position').array as Float32Array,
     update(showing) {
       mesh.visible = showing.settings.cloth;

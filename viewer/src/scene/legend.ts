@@ -13,7 +13,7 @@ export interface Legend {
   high: number;
   map: ColourMap;
   scaled: { by: string; factor: number } | null; // value in `unit` times factor: in units of `by`
-  open: boolean; // whether larger values occur
+  open: boolean; // whether larger values occur, at both ends where `low` is negative
 }
 
 const QUANTITIES = {
@@ -57,7 +57,7 @@ function stressLegend(
 }
 
 /** Unit that suits a stress [Pa], and the factor to it. */
-function pascals(stress: number): [string, number] {
+export function pascals(stress: number): [string, number] {
   if (stress >= 2e6) return ['MPa', 1e-6];
   return stress >= 2e3 ? ['kPa', 1e-3] : ['Pa', 1];
 }

@@ -14,21 +14,22 @@ export interface Lines {
   rim(colour: string): void;
 }
 
-/** `width` in pixels; lines `above` are drawn, in this order, over what was drawn before. */
-export function buildLines(segments: number, width: number, above: boolean, order: number): Lines {
+/**
+ * Lines `above` are drawn, in this order, over what was drawn before, with a rim. Others are hidden
+ * by what lies before them but for a part `behind`, from 0 to 1, of their strength.
+ */
+export type Layer = { above: true; order: number } | { above?: false; behind: number };
+
+/** `width` in pixels. */
+export function buildLines(segments: number, width: number, layer: Layer): Lines {
   const geometry = new LineSegmentsGeometry();
   geometry.setPositions(new Float32Array(6 * Math.max(segments, 1)));
   geometry.setColors(new Float32Array(6 * Math.max(segments, 1)));
-  const material = new LineMaterial({
-    linewidth: width,
-    vertexColors: true,
-    depthTest: !above,
-    transparent: above, // drawn after the water
-  });
+  const edge = new LineMaterial({ linewidth: width + 2, depthTest: false, transparent: true });
   const object = new THREE.Group();
-  const edge = new LineMaterial({ linewidth: width + 2, depthTest: !above, transparent: above });
-  if (above) object.add(strokes(geometry, edge, order));
-  object.add(strokes(geometry, material, order + 0.5));
+  object.add(
+    ...(layer.above ? above(geometry, edge, width, layer) : within(geometry, width, layer)),
+  );
   const ends = buffer(geometry, 'instanceStart');
   const colours = buffer(geometry, 'instanceColorStart');
   return {
@@ -42,6 +43,38 @@ export function buildLines(segments: number, width: number, above: boolean, orde
       ends.needsUpdate = colours.needsUpdate = true;
     },
   };
+}
+
+/** Drawn after the water, each line over its rim. */
+function above(
+  geometry: LineSegmentsGeometry,
+  edge: LineMaterial,
+  linewidth: number,
+  { order }: { order: number },
+): LineSegments2[] {
+  const options = { linewidth, vertexColors: true, depthTest: false, transparent: true };
+  return [
+    strokes(geometry, edge, order),
+    strokes(geometry, new LineMaterial(options), order + 0.5),
+  ];
+}
+
+/** Drawn in space, and faintly once more where something hides them. */
+function within(
+  geometry: LineSegmentsGeometry,
+  linewidth: number,
+  { behind }: { behind: number },
+): LineSegments2[] {
+  const open = new LineMaterial({ linewidth, vertexColors: true });
+  const hidden = new LineMaterial({
+    linewidth,
+    vertexColors: true,
+    transparent: true,
+    opacity: behind,
+    depthFunc: THREE.GreaterDepth,
+    depthWrite: false,
+  });
+  return [strokes(geometry, open, 0), strokes(geometry, hidden, 4)];
 }
 
 function strokes(geometry: LineSegmentsGeometry, material: LineMaterial, order: number) {

@@ -1,3 +1,4 @@
+import { drawRows } from './legend_rows';
 import { ticks, tickText, type Legend } from './legend';
 import type { Theme } from './theme';
 
@@ -12,7 +13,7 @@ export interface Caption {
 const FONT = 'system-ui, "Segoe UI", Roboto, "Liberation Sans", sans-serif';
 const MARGIN = 10;
 const BAR = 12;
-/** Views below this width [pixels] get smaller letters. */
+/** Views below this width [pixels] get smaller letters and flat legends. */
 const NARROW = 520;
 
 /** Writes a caption into a picture of `width` by `height`. */
@@ -23,12 +24,14 @@ export function drawCaption(
   caption: Caption,
   theme: Theme,
 ): void {
-  if (width < NARROW) {
+  const narrow = width < NARROW;
+  if (narrow) {
     context.scale(0.8, 0.8);
     [width, height] = [width / 0.8, height / 0.8];
   }
   context.textBaseline = 'middle';
   drawLabels(context, width, caption, theme);
+  if (narrow) return drawRows(context, caption.legends, width, height, theme);
   const length = Math.min(0.38 * height, 190);
   let right = width - MARGIN;
   for (const legend of [...caption.legends].reverse())
@@ -56,7 +59,7 @@ function drawLabels(
   }
 }
 
-function panel(
+export function panel(
   context: CanvasRenderingContext2D,
   x: number,
   y: number,
@@ -87,11 +90,12 @@ function drawLegend(
   const heading = `${legend.title} [${legend.unit}]`;
   const inner = Math.max(wideScaled + BAR + wide + 4, context.measureText(heading).width);
   const left = right - inner - 14;
+  const below = legend.open && legend.low < 0 ? 10 : 0; // room for the lower arrow
   const top = bottom - length - 44;
   panel(context, left, top, right - left, bottom - top, theme);
   context.fillText(heading, left + 7, top + 12);
   const bar = left + 7 + wideScaled;
-  const [high, low] = [top + 36, bottom - 9];
+  const [high, low] = [top + 36, bottom - 9 - below];
   paintBar(context, legend, bar, high, low, theme);
   const place = (v: number) =>
     low + ((v - legend.low) / (legend.high - legend.low || 1)) * (high - low);
@@ -99,7 +103,10 @@ function drawLegend(
   for (const { v, text } of marks) tick(context, text, bar + BAR, place(v), 'left', theme);
   for (const { v, text } of scaled) tick(context, text, bar, place(v), 'right', theme);
   context.textAlign = 'left';
-  if (legend.open) context.fillText('and more', bar + BAR + 6, high - 9);
+  if (legend.open) {
+    context.fillText('and more', bar + BAR + 6, high - 9);
+    if (legend.low < 0) context.fillText('and more', bar + BAR + 6, low + 9);
+  }
   if (legend.scaled) {
     context.textAlign = 'right';
     context.fillText(legend.scaled.by, bar - 6, high - 9);
@@ -121,7 +128,7 @@ function widest(context: CanvasRenderingContext2D, marks: { text: string }[]): n
 
 function paintBar(
   context: CanvasRenderingContext2D,
-  { map, open }: Legend,
+  { map, open, low: from }: Legend,
   x: number,
   high: number,
   low: number,
@@ -132,17 +139,26 @@ function paintBar(
     context.fillStyle = `rgb(${map[3 * i]}, ${map[3 * i + 1]}, ${map[3 * i + 2]})`;
     context.fillRect(x, low - (i + 1) * step, BAR, step + 0.5);
   }
-  if (open) {
-    context.fillStyle = `rgb(${map[765]}, ${map[766]}, ${map[767]})`;
-    context.beginPath();
-    context.moveTo(x, high);
-    context.lineTo(x + BAR, high);
-    context.lineTo(x + BAR / 2, high - 9);
-    context.fill();
-  }
+  if (open) point(context, map, 765, [x, high, -9]);
+  if (open && from < 0) point(context, map, 0, [x, low, 9]);
   context.strokeStyle = theme.edge;
   context.lineWidth = 1;
   context.strokeRect(x + 0.5, high + 0.5, BAR - 1, low - high - 1);
+}
+
+/** The bar's end in the colour at `offset` of the map, which tells that there is more. */
+function point(
+  context: CanvasRenderingContext2D,
+  map: Legend['map'],
+  offset: number,
+  [x, y, reach]: [number, number, number],
+): void {
+  context.fillStyle = `rgb(${map[offset]}, ${map[offset + 1]}, ${map[offset + 2]})`;
+  context.beginPath();
+  context.moveTo(x, y);
+  context.lineTo(x + BAR, y);
+  context.lineTo(x + BAR / 2, y + reach);
+  context.fill();
 }
 
 function tick(

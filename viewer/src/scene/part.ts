@@ -1,7 +1,8 @@
-import type { Object3D } from 'three';
+import type { Mesh, Object3D } from 'three';
 import type { Moment } from '../model/moment';
 import type { Ranges } from './ranges';
 import type { Settings } from './settings';
+import type { Sheet } from './sheet';
 import type { Theme } from './theme';
 
 /** What a view shows at a moment. */
@@ -22,4 +23,6 @@ export interface Part {
 /** The cloth, with the points that it is drawn with [m]: x y z of each. */
 export interface ClothPart extends Part {
   points: Float32Array;
+  sheets: readonly Sheet[];
+  surface: Mesh | null; // null where the cloth is threads
 }

@@ -54,13 +54,13 @@ export function mostOfStress(run: LoadedRun, kind: StressKind): number {
   return stress.largest * (q / 65535) ** 2;
 }
 
-/** Largest stress in the moment's frames [Pa]. */
+/** Largest stress in the frames that the moment is made of [Pa]. */
 function largestOfFrame(run: LoadedRun, kind: StressKind, moment: Moment): number {
   const { motion } = run;
   const stress = motion?.stress[kind];
   if (!motion || !stress) return 0;
   let largest = 0;
-  for (const frame of [moment.frame, moment.next])
+  for (const frame of moment.part > 0 ? [moment.frame, moment.next] : [moment.frame])
     for (let i = 0; i < motion.nodes; i++)
       largest = Math.max(largest, stress.values[frame * motion.nodes + i]!);
   return stress.largest * (largest / 65535) ** 2;
@@ -70,7 +70,7 @@ function largestOfFrame(run: LoadedRun, kind: StressKind, moment: Moment): numbe
 function mostOfField(field: Field, quantity: FieldQuantity): number {
   const frames = field.times.length;
   const every = Math.max(1, Math.ceil(frames / 24));
-  const stride = Math.max(1, Math.floor(field.cells / 4000));
+  const stride = fairStride(field.index.cells, Math.floor(field.cells / 4000));
   const values = new Float32Array(field.cells);
   const sizes: number[] = [];
   for (let frame = 0; frame < frames; frame += every) {
@@ -80,4 +80,15 @@ function mostOfField(field: Field, quantity: FieldQuantity): number {
   }
   const sorted = Float32Array.from(sizes).sort();
   return sorted[Math.floor(MOST * (sorted.length - 1))] ?? 0;
+}
+
+/**
+ * A stride of at least `least` through a lattice that shares no factor with its edges, so that it
+ * does not keep to some of the rows.
+ */
+export function fairStride(cells: readonly number[], least: number): number {
+  const shared = (a: number, b: number): number => (b === 0 ? a : shared(b, a % b));
+  let stride = Math.max(1, least);
+  while (cells.some((edge) => shared(edge, stride) !== 1)) stride++;
+  return stride;
 }

@@ -26,21 +26,43 @@ export interface Choices {
   colours: ClothColour[];
   quantities: FieldQuantity[]; // empty where no run carries the water
   trails: number[]; // [s]
+  period: number; // of the stroke, if all runs have the same [s], else 0
+  depth: number; // of the box, if all runs have the same [m], else 0
   cloth: boolean;
 }
 
 export function choicesFor(runs: readonly LoadedRun[]): Choices {
   const kinds = STRESS_KINDS.filter((kind) => runs.some((run) => run.motion?.stress[kind]));
   const fields = runs.flatMap((run) => (run.field ? [quantitiesOf(run.field)] : []));
-  const period = runs.find((run) => run.index.scales.period > 0)?.index.scales.period;
-  const span = Math.max(...runs.map((run) => run.times.at(-1) ?? 0));
+  const period = commonPeriod(runs);
   return {
     plane: runs.every((run) => run.index.dimension === 2),
     colours: ['piece', ...kinds],
     quantities: (fields[0] ?? []).filter((one) => fields.every((all) => all.includes(one))),
-    trails: period ? [0, period / 2, period, 2 * period] : [0, span / 8, span / 4, span / 2],
+    trails: period > 0 ? [0, period / 2, period, 2 * period] : roundTrails(runs),
+    period,
+    depth: common(runs.map(({ index: { box } }) => box.upper[2] - box.lower[2])),
     cloth: runs.some((run) => run.motion),
   };
+}
+
+/** Period of the stroke of all runs [s], 0 where they have none or several. */
+export function commonPeriod(runs: readonly LoadedRun[]): number {
+  return common(runs.map((run) => run.index.scales.period));
+}
+
+function common(values: readonly number[]): number {
+  const [first = 0] = values;
+  return values.every((value) => Math.abs(value - first) <= 1e-6 * Math.abs(first)) ? first : 0;
+}
+
+/** None, and round times of about a tenth, a quarter and half of the longest run [s]. */
+function roundTrails(runs: readonly LoadedRun[]): number[] {
+  const span = Math.max(...runs.map(({ times }) => (times.at(-1) ?? 0) - (times[0] ?? 0)));
+  if (!(span > 0)) return [0];
+  const power = 10 ** Math.floor(Math.log10(span / 2));
+  const longest = Math.floor(span / 2 / power) * power;
+  return [0, longest / 5, longest / 2, longest].map((time) => Number(time.toPrecision(6)));
 }
 
 export function initialSettings(choices: Choices): Settings {

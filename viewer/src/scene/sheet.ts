@@ -43,6 +43,15 @@ export class Sheet {
     );
   }
 
+  /** The node nearest to a point of the piece, counted over all pieces. */
+  nodeAt(point: number): number {
+    const { first, nr, ns, closed } = this.piece;
+    const rows = this.#r.points;
+    const [i, nextI, p] = between(point % rows, rows, nr, closed[0]);
+    const [j, nextJ, q] = between(Math.floor(point / rows), this.#s.points, ns, closed[1]);
+    return first + (p < 0.5 ? i : nextI) + nr * (q < 0.5 ? j : nextJ);
+  }
+
   /** Writes the surface's points and unit normals for the nodes' positions, all x y z. */
   shape(nodes: Float32Array, positions: Float32Array, normals: Float32Array): void {
     this.#refineAlongR(nodes);

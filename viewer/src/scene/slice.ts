@@ -4,6 +4,7 @@ import { fieldFrame, quantityOf, type Field, type FieldQuantity } from '../model
 import type { LoadedRun } from '../model/run';
 import { buildArrows, type Arrows } from './arrows';
 import { channels, mapOffset } from './colours';
+import { opening, smoothMask } from './mask';
 import type { Part, Showing } from './part';
 import { Sampler } from './sampling';
 import type { Theme } from './theme';
@@ -13,6 +14,13 @@ export interface Rectangle {
   corner: THREE.Vector3;
   across: THREE.Vector3;
   up: THREE.Vector3;
+}
+
+/** A field's frame: the values shown and the share of solids in all cells. */
+interface Cells {
+  values: Float32Array;
+  mask: Float32Array;
+  frame: number;
 }
 
 /** Most picture elements along a side of a slice. */
@@ -33,6 +41,8 @@ export function buildSlices(run: LoadedRun): Part | null {
     way,
     plane: new Plane(field, run.index.dimension),
   }));
+  let mask: Float32Array = new Float32Array();
+  let masked = -1; // frame of the mask
   const object = new THREE.Group();
   object.add(...planes.map(({ plane }) => plane.object));
   return {
@@ -43,10 +53,11 @@ export function buildSlices(run: LoadedRun): Part | null {
       if (!object.visible) return;
       const frame = fieldFrame(field, showing.time);
       quantityOf(field, quantity, frame, values);
+      if (frame !== masked) mask = smoothMask(field, (masked = frame));
       for (const { way, plane } of planes) {
         const rectangle = rectangleFor(run, way, showing);
         plane.object.visible = rectangle !== null;
-        if (rectangle) plane.show(rectangle, values, frame, showing);
+        if (rectangle) plane.show(rectangle, { values, mask, frame }, showing);
       }
     },
   };
@@ -140,26 +151,24 @@ class Plane {
     this.object.add(this.#mesh, this.#arrows.object);
   }
 
-  show(rectangle: Rectangle, values: Float32Array, frame: number, showing: Showing): void {
+  show(rectangle: Rectangle, cells: Cells, showing: Showing): void {
     const { corner, across, up } = rectangle;
     const normal = across.clone().cross(up).normalize();
     this.#mesh.matrix.makeBasis(across, up, normal).setPosition(corner);
     this.#mesh.matrixWorldNeedsUpdate = true;
-    this.#paint(rectangle, values, frame, showing);
-    this.#arrows.show(rectangle, frame, showing);
+    this.#paint(rectangle, cells, showing);
+    this.#arrows.show(rectangle, cells.frame, showing);
   }
 
   /** Colours each picture element; in solids it is left out, or grey in two dimensions. */
   #paint(
     { corner, across, up }: Rectangle,
-    values: Float32Array,
-    frame: number,
+    { values, mask }: Cells,
     { settings, ranges, theme }: Showing,
   ): void {
     const { map, signed } = mapFor(settings.quantity, theme);
     const low = signed ? -ranges.field : 0;
     const solid = this.dimension === 2 ? channels(theme.solid) : null;
-    const mask = frame * this.field.cells;
     for (let row = 0, at = 0; row < this.#height; row++)
       for (let column = 0; column < this.#width; column++, at += 4) {
         const p = (column + 0.5) / this.#width;
@@ -170,8 +179,7 @@ class Plane {
           corner.z + p * across.z + q * up.z,
         );
         const offset = mapOffset(this.#sampler.value(values), low, ranges.field);
-        const open = 1 - this.#sampler.value(this.field.solid, mask) / 255;
-        const clear = Math.min(Math.max(3 * open - 1, 0), 1);
+        const clear = opening(this.#sampler.value(mask));
         for (let c = 0; c < 3; c++) {
           const colour = map[offset + c]!;
           this.#pixels[at + c] = solid ? solid[c]! + clear * (colour - solid[c]!) : colour;

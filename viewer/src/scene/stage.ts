@@ -1,9 +1,11 @@
+import * as THREE from 'three';
 import type { RunIndex, Vec3 } from '../model/bundle';
 import type { Clock } from '../model/clock';
 import type { LoadedRun } from '../model/run';
 import type { Store } from '../model/store';
 import type { Side } from './camera';
 import { RangeFinder } from './ranges';
+import { followPointer } from './readout';
 import type { Settings } from './settings';
 import { followTheme, LIGHT, type Theme } from './theme';
 import { View, type Shown } from './view';
@@ -18,15 +20,15 @@ export class Stage {
   #linking = false;
   readonly #ranges: RangeFinder;
 
-  /** Throws where the browser has no WebGL. */
   constructor(
     readonly runs: readonly LoadedRun[],
     readonly clock: Clock,
     readonly settings: Store<Settings>,
+    readonly renderer: THREE.WebGLRenderer,
   ) {
     this.#ranges = new RangeFinder(runs);
     const box = boxOfAll(runs);
-    this.views = runs.map((run) => new View(run, box, runs.length > 1));
+    this.views = runs.map((run) => new View(run, box, runs.length > 1, renderer));
     this.#linkCameras();
   }
 
@@ -42,9 +44,14 @@ export class Stage {
     });
     this.resize();
     const observer = new ResizeObserver(() => this.resize());
-    for (const view of this.views) observer.observe(view.element);
+    for (const view of this.views) {
+      observer.observe(view.element);
+      followPointer(view, this.clock);
+    }
     this.clock.subscribe(() => this.invalidate());
     this.settings.subscribe(() => this.invalidate());
+    for (const event of ['webglcontextlost', 'webglcontextrestored'])
+      this.renderer.domElement.addEventListener(event, () => this.invalidate());
   }
 
   /** Draws before the next picture of the screen. */
@@ -72,27 +79,39 @@ export class Stage {
   }
 
   turn(azimuth: number, polar: number): void {
-    for (const view of this.views)
-      if (view.run.index.dimension === 3) view.eye.turn(azimuth, polar);
+    for (const { run, eye } of this.#leaders())
+      if (run.index.dimension === 3) eye.turn(azimuth, polar);
     this.#turn();
   }
 
   zoom(factor: number): void {
-    for (const view of this.views) view.eye.zoom(factor);
+    for (const { eye } of this.#leaders()) eye.zoom(factor);
     this.#turn();
   }
 
-  /** The views side by side with their captions, together `width` by `height` in pixels
-   * that are `fineness` times finer. */
+  /** The first view of either dimension, whose camera the others follow. */
+  #leaders(): View[] {
+    const dimensions = this.views.map(({ run }) => run.index.dimension);
+    return this.views.filter((_, i) => dimensions.indexOf(dimensions[i]!) === i);
+  }
+
+  /**
+   * The views side by side with their captions, all at one scale, together `width` by `height`
+   * pixels; with a `fineness` of 2, letters and lines are drawn twice as large.
+   */
   picture(width: number, height: number, fineness = 1): HTMLCanvasElement {
     const canvas = document.createElement('canvas');
-    canvas.width = width * fineness;
-    canvas.height = height * fineness;
+    Object.assign(canvas, { width, height });
     const context = canvas.getContext('2d')!;
     if (this.#stale) this.draw();
     const each = Math.floor(width / this.views.length);
-    this.views.forEach((view, i) => view.paint(context, i * each, each, height, fineness));
-    this.#turn();
+    for (const view of this.views) view.fit(each / fineness, height / fineness, fineness);
+    this.views.forEach((view, i) => {
+      view.render();
+      view.copyTo(context, i * each);
+    });
+    for (const view of this.views) view.resize();
+    for (const view of this.views) view.render();
     return canvas;
   }
 
@@ -140,4 +159,15 @@ function boxOfAll(runs: readonly LoadedRun[]): RunIndex['box'] {
   const along = (side: 'lower' | 'upper', pick: (...values: number[]) => number) =>
     [0, 1, 2].map((axis) => pick(...runs.map(({ index }) => index.box[side][axis]!))) as Vec3;
   return { lower: along('lower', Math.min), upper: along('upper', Math.max) };
+}
+
+/** Draws the views; null where the browser has no WebGL 2 to spare. */
+export function createRenderer(): THREE.WebGLRenderer | null {
+  try {
+    const renderer = new THREE.WebGLRenderer({ antialias: true });
+    renderer.shadowMap.enabled = true;
+    return renderer;
+  } catch {
+    return null;
+  }
 }

@@ -1,5 +1,6 @@
 import * as THREE from 'three';
-import { positionsAt, stressAt, type LoadedRun } from '../model/run';
+import { positionsAt, stressAt } from '../model/between';
+import type { LoadedRun } from '../model/run';
 import { mapOffset, pieceColour } from './colours';
 import { linear } from './linear';
 import { buildLines, type Lines } from './lines';
@@ -23,13 +24,15 @@ export function buildThreads(run: LoadedRun): ClothPart | null {
     points += sheet.points;
     return sheet;
   });
-  const lines = buildLines(points - sheets.length, WIDTH, true, 3);
+  const lines = buildLines(points - sheets.length, WIDTH, { above: true, order: 3 });
   const nodes = new Float32Array(3 * motion.nodes);
   const places = new Float32Array(3 * points);
   const normals = new Float32Array(3 * points);
   const colours = threadColours(run, sheets, points);
   return {
     object: lines.object,
+    surface: null,
+    sheets,
     points: places,
     update(showing) {
       lines.object.visible = showing.settings.cloth;

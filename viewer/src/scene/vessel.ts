@@ -1,6 +1,7 @@
 import * as THREE from 'three';
 import type { RunIndex, Vec3 } from '../model/bundle';
-import { angleAt, type LoadedRun, type SolidMesh } from '../model/run';
+import { angleAt } from '../model/between';
+import type { LoadedRun, SolidMesh } from '../model/run';
 import type { Part, Showing } from './part';
 
 /** The box: its far walls, so that one looks in, and its edges; a tub leaves only the floor. */

@@ -1,14 +1,15 @@
 import * as THREE from 'three';
 import type { RunIndex } from '../model/bundle';
-import { momentAt, type Moment } from '../model/moment';
-import { fieldFrame } from '../model/field';
+import { decimalsFor, momentAt, type Moment } from '../model/moment';
 import type { LoadedRun } from '../model/run';
 import { buildEye, type Eye } from './camera';
+import { noticeFor, timeShown, timeText } from './caption';
 import { buildCloth } from './cloth';
 import { legendsOf } from './legend';
 import { lightUp } from './light';
 import { drawCaption, type Caption } from './overlay';
 import type { ClothPart, Part, Showing } from './part';
+import { hitOf, hitText, pointNear, pointOnSurface } from './pointing';
 import type { Settings } from './settings';
 import { buildSlices } from './slice';
 import { buildSurface } from './surface';
@@ -25,27 +26,32 @@ export class View {
   readonly #canvas = document.createElement('canvas');
   readonly #overlay = document.createElement('canvas');
   readonly #scene = new THREE.Scene();
-  readonly #renderer: THREE.WebGLRenderer;
   readonly #cloth: ClothPart | null;
   readonly #parts: Part[];
+  readonly #hiding: THREE.Object3D[]; // solids that may stand before the cloth
   #showing: Showing | null = null;
+  #size = { width: 1, height: 1, ratio: 1 };
 
-  /** `box`: what the camera is to hold, common to all views; throws where there is no WebGL. */
+  /**
+   * `box`: what the camera is to hold, common to all views. `renderer`: serves all views, which
+   * copy what it has drawn.
+   */
   constructor(
     readonly run: LoadedRun,
     box: RunIndex['box'],
     readonly named: boolean,
+    readonly renderer: THREE.WebGLRenderer,
   ) {
     this.element.className = 'view';
     this.element.append(this.#canvas, this.#overlay);
     this.#overlay.className = 'caption';
     this.#canvas.setAttribute('role', 'img');
     this.#canvas.setAttribute('aria-label', `The wash of ${run.index.name}`);
-    this.#renderer = new THREE.WebGLRenderer({ canvas: this.#canvas, antialias: true });
-    this.#renderer.shadowMap.enabled = true;
     this.eye = buildEye(box, run.index.dimension, this.#canvas);
     this.#cloth = run.index.dimension === 2 ? buildThreads(run) : buildCloth(run);
-    this.#parts = partsOf(run, this.#cloth);
+    const solids = run.solids.map((solid) => buildSolid(run, solid));
+    this.#hiding = solids.filter((_, i) => run.solids[i]!.index.moving).map((part) => part.object);
+    this.#parts = partsOf(run, solids, this.#cloth);
     this.#scene.add(...this.#parts.map((part) => part.object), this.eye.camera);
     lightUp(this.eye.camera, this.#scene, box);
   }
@@ -67,8 +73,14 @@ export class View {
   /** Draws the scene as it is, as after the camera moved. */
   render(): void {
     if (!this.#showing) return;
-    this.#renderer.setClearColor(this.#showing.theme.background);
-    this.#renderer.render(this.#scene, this.eye.camera);
+    const { width, height, ratio } = this.#size;
+    const { renderer } = this;
+    const { x, y } = renderer.getSize(new THREE.Vector2());
+    if (x !== width || y !== height || renderer.getPixelRatio() !== ratio)
+      renderer.setDrawingBufferSize(width, height, ratio);
+    renderer.setClearColor(this.#showing.theme.background);
+    renderer.render(this.#scene, this.eye.camera);
+    this.#canvas.getContext('2d')!.drawImage(renderer.domElement, 0, 0);
     this.#caption();
   }
 
@@ -94,17 +106,36 @@ export class View {
     return this.#cloth?.points ?? new Float32Array();
   }
 
+  /** What is seen at a place in the element [pixels]: a piece and its stress, or nothing. */
+  pointed(x: number, y: number): string {
+    if (!this.#cloth || !this.#showing?.settings.cloth) return '';
+    const { width, height } = this.#size;
+    const place = new THREE.Vector2((2 * x) / width - 1, 1 - (2 * y) / height);
+    const point = this.#pointAt(this.#cloth, place);
+    const hit = point === null ? null : hitOf(this.#cloth.sheets, point);
+    return hit ? hitText(this.run, hit, this.#showing) : '';
+  }
+
+  #pointAt({ surface, points }: ClothPart, place: THREE.Vector2): number | null {
+    if (!surface) return pointNear(points, this.eye.camera, place, this.#size, NEAR);
+    const ray = new THREE.Raycaster();
+    ray.setFromCamera(place, this.eye.camera);
+    return pointOnSurface(ray, surface, this.#hiding);
+  }
+
   /** Fits the picture to the element; it is to be drawn anew then. */
   resize(): void {
     const { clientWidth: width, clientHeight: height } = this.element;
-    if (width > 0 && height > 0) this.#size(width, height, Math.min(window.devicePixelRatio, 2));
+    if (width > 0 && height > 0) this.fit(width, height, Math.min(window.devicePixelRatio, 2));
   }
 
-  #size(width: number, height: number, ratio: number): void {
-    this.#renderer.setPixelRatio(ratio);
-    this.#renderer.setSize(width, height, false);
-    this.#overlay.width = width * ratio;
-    this.#overlay.height = height * ratio;
+  /** Makes the picture `width` by `height`, in pixels that are `ratio` times finer. */
+  fit(width: number, height: number, ratio: number): void {
+    this.#size = { width, height, ratio };
+    for (const canvas of [this.#canvas, this.#overlay]) {
+      canvas.width = Math.floor(width * ratio);
+      canvas.height = Math.floor(height * ratio);
+    }
     this.eye.fit(width, height);
   }
 
@@ -112,68 +143,41 @@ export class View {
   caption(): Caption {
     const { time, moment, settings, ranges, theme } = this.#showing!;
     const { index } = this.run;
+    const decimals = decimalsFor(this.run.times);
+    const lost = this.renderer.getContext().isContextLost();
     return {
       title: this.named ? index.name : '',
-      time: timeText(timeShown(this.run, moment, time), index.scales.period),
-      notice: noticeFor(this.run, time, moment, settings),
+      time: timeText(timeShown(this.run, moment, time), index.scales.period, decimals),
+      notice: lost ? LOST : noticeFor(this.run, time, moment, settings),
       legends: legendsOf(this.run, settings, ranges, theme),
     };
   }
 
   #caption(): void {
     const context = this.#overlay.getContext('2d')!;
-    const ratio = this.#renderer.getPixelRatio();
+    const { width, height, ratio } = this.#size;
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    const { width, height } = this.#overlay;
     context.clearRect(0, 0, width, height);
-    drawCaption(context, width / ratio, height / ratio, this.caption(), this.#showing!.theme);
+    drawCaption(context, width, height, this.caption(), this.#showing!.theme);
   }
 
-  /** Draws the view with its caption into a part of another picture, `fineness` times finer. */
-  paint(
-    target: CanvasRenderingContext2D,
-    x: number,
-    width: number,
-    height: number,
-    fineness: number,
-  ): void {
-    this.#size(width, height, fineness);
-    this.render();
-    for (const layer of [this.#canvas, this.#overlay])
-      target.drawImage(layer, x * fineness, 0, width * fineness, height * fineness);
-    this.resize();
+  /** Copies the view with its caption into another picture, from `x` on. */
+  copyTo(target: CanvasRenderingContext2D, x: number): void {
+    for (const layer of [this.#canvas, this.#overlay]) target.drawImage(layer, x, 0);
   }
 }
 
-function partsOf(run: LoadedRun, cloth: Part | null): Part[] {
+/** Distance at which the pointer still finds a thread [pixels]. */
+const NEAR = 8;
+const LOST = 'The browser has taken the graphics away; they come back when it has room.';
+
+function partsOf(run: LoadedRun, solids: readonly Part[], cloth: Part | null): Part[] {
   return [
     buildBox(run),
-    ...run.solids.map((solid) => buildSolid(run, solid)),
+    ...solids,
     buildSlices(run),
     buildTrails(run),
     cloth,
     buildSurface(run),
   ].filter((part) => part !== null);
-}
-
-/** Time, and cycles of the stroke where there is one. */
-export function timeText(time: number, period: number): string {
-  const cycles = period > 0 ? `  ·  cycle ${(time / period).toFixed(2)}` : '';
-  return `t = ${time.toFixed(3)} s${cycles}`;
-}
-
-/** Time of what is shown [s]. */
-function timeShown({ times }: LoadedRun, { frame, next, part }: Moment, time: number): number {
-  const from = times[frame] ?? time;
-  return from + part * ((times[next] ?? from) - from);
-}
-
-function noticeFor(run: LoadedRun, time: number, moment: Moment, settings: Settings): string {
-  const { times, field } = run;
-  if (times.length === 0) return 'This run kept no frames.';
-  const shown = times[moment.frame]!;
-  if (moment.frame === times.length - 1 && time > shown + 1e-6)
-    return `ended at t = ${shown.toFixed(3)} s: last frame`;
-  const water = field && settings.slice !== 'off' ? field.times[fieldFrame(field, shown)]! : shown;
-  return water < shown - 1e-9 ? `water of t = ${water.toFixed(3)} s` : '';
 }

@@ -5,7 +5,13 @@ import { pathToFileURL } from 'node:url';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { Bundle } from '../../src/model/bundle';
-import { launch, pageFile } from './browser';
+import { launch, look, pageFile } from './browser';
+
+declare global {
+  interface Window {
+    graphics?: WEBGL_lose_context; // of the page, for a test
+  }
+}
 
 const file = pageFile('2D');
 
@@ -85,5 +91,30 @@ describe('a page', () => {
     expect(await page.locator('.plots canvas').count()).toBeGreaterThan(0);
     await page.keyboard.press('End');
     expect(await page.evaluate(() => window.washtub!.time())).toBeGreaterThan(0);
+  });
+
+  it('that loses the graphics says so and goes on when they are back', async () => {
+    const page = await openChanged(
+      (html) => html,
+      (fresh) =>
+        fresh.addInitScript(() => {
+          const get = HTMLCanvasElement.prototype.getContext;
+          HTMLCanvasElement.prototype.getContext = new Proxy(get, {
+            apply: (target, canvas, given) => {
+              const context = Reflect.apply(target, canvas, given) as RenderingContext | null;
+              if (context instanceof WebGL2RenderingContext)
+                Object.assign(window, { graphics: context.getExtension('WEBGL_lose_context') });
+              return context;
+            },
+          });
+        }),
+    );
+    await page.waitForFunction(() => window.washtub !== undefined);
+    const notice = () => page.evaluate(() => window.washtub!.captions()[0]!.notice);
+    await page.evaluate(() => window.graphics!.loseContext());
+    await expect.poll(notice).toMatch(/taken the graphics away/);
+    await page.evaluate(() => window.graphics!.restoreContext());
+    await expect.poll(notice).toBe('');
+    expect((await look(page)).colours).toBeGreaterThan(100);
   });
 });

@@ -77,6 +77,8 @@ describe.each(PAGES)('the report of a %s run', (_, file) => {
     const whole = run.dimension === 2; // the water is shown, so frames are not blended
     const shown = () => ask(() => window.washtub!.captions()[0]!.time);
     await expect.poll(shown).toContain((whole ? times[1]! : target).toFixed(3));
+    const notice = await ask(() => window.washtub!.captions()[0]!.notice);
+    expect(notice).toBe(whole ? '' : 'between frames');
   });
 
   it('obeys the keys', async () => {
@@ -138,6 +140,43 @@ describe.each(PAGES)('the report of a %s run', (_, file) => {
     expect([bytes.readUInt32BE(16), bytes.readUInt32BE(20)]).toEqual([640, 360]);
   });
 
+  it('draws letters and lines as large in large pictures', async () => {
+    const shares = await opened.page.evaluate(async () => {
+      const dark = async (width: number, height: number) => {
+        const image = new Image();
+        image.src = window.washtub!.capture(width, height);
+        await image.decode();
+        const canvas = new OffscreenCanvas(width, height).getContext('2d')!;
+        canvas.drawImage(image, 0, 0);
+        const label = canvas.getImageData(0, 0, width / 3, height / 20).data;
+        return label.filter((level, i) => i % 4 === 0 && level < 100).length / label.length;
+      };
+      return [await dark(960, 540), await dark(1920, 1080)];
+    });
+    expect(shares[0]).toBeGreaterThan(0.001);
+    expect(shares[1]! / shares[0]!).toBeGreaterThan(0.7); // 0.25, were they of one size
+    expect(shares[1]! / shares[0]!).toBeLessThan(1.5);
+  });
+
+  it('tells what piece the pointer rests on', async () => {
+    await ask(() => window.washtub!.set({ colour: 'piece', slice: 'off', cloth: true }));
+    const view = opened.page.locator('.view').first();
+    await view.scrollIntoViewIfNeeded();
+    const box = (await view.boundingBox())!;
+    const readout = view.locator('.readout');
+    const found = async () => {
+      for (let at = 0.1; at < 0.95; at += 0.02) {
+        await opened.page.mouse.move(box.x + at * box.width, box.y + (0.7 - 0.3 * at) * box.height);
+        await opened.page.waitForTimeout(220);
+        if (await readout.isVisible()) return readout.textContent();
+      }
+      return '';
+    };
+    expect(await found()).toMatch(/^piece \d+: total stress [\d.e-]+ [kM]?Pa/);
+    await opened.page.mouse.move(0, 0);
+    await expect.poll(() => readout.isVisible()).toBe(false);
+  });
+
   it('plots the values of history.csv', async () => {
     const [header, ...rows] = data.chunk(run.history!).toString().trim().split('\n');
     const columns = header!.split(',');
@@ -156,7 +195,6 @@ describe.each(PAGES)('the report of a %s run', (_, file) => {
   it('tells how long it draws', async () => {
     const { update, whole } = await ask(() => window.washtub!.drawTime());
     expect(update).toBeGreaterThan(0);
-    expect(update).toBeLessThan(250);
     expect(whole).toBeGreaterThanOrEqual(update);
   });
 

@@ -1,9 +1,10 @@
 import { describe, expect, it } from 'vitest';
 import type { RunIndex } from '../../src/model/bundle';
 import { parseTable } from '../../src/model/csv';
+import { commonWindow } from '../../src/plots/axis';
 import { catalogue } from '../../src/plots/catalogue';
-import { alignedData, csvOf, displayFor } from '../../src/plots/data';
-import { sampleAt } from '../../src/plots/legend';
+import { alignedData, csvOf, displayFor, isLogarithmic } from '../../src/plots/data';
+import { isolated, sampleAt } from '../../src/plots/legend';
 import { pieceSection } from '../../src/plots/pieces';
 import type { RunTables } from '../../src/plots/spec';
 
@@ -102,6 +103,7 @@ describe('catalogue of one run', () => {
       find([run(washer, 5, { quantities: [{ ...quantity, unit }] })], 'Stress').bands;
     expect(bands('Pa')).toMatchObject([{ mean: 7, halfWidth: 2, from: 1, to: 2 }]);
     expect(bands('kPa')).toEqual([]);
+    expect(bands('Pa')[0]!.curve.column).toBe('stress');
   });
 
   it('scales by sigma_o where there is one', () => {
@@ -143,6 +145,15 @@ describe('catalogue of several runs', () => {
     expect(find([runs[0]!, other], 'Largest strain').curves).toHaveLength(1);
   });
 
+  it('takes a solid for moving that moves in one of them', () => {
+    const rest = run('time [s],agitator friction torque [N]', 3, { name: 'b' });
+    for (const order of [
+      [runs[0]!, rest],
+      [rest, runs[0]!],
+    ])
+      expect(find(order, 'Power of agitator').curves).toHaveLength(1);
+  });
+
   it('shades the same window once', () => {
     expect(find(runs, 'Stress: total').windows).toEqual([[1, 2]]);
   });
@@ -156,6 +167,29 @@ describe('data of a plot', () => {
       'time [s],a: stress [Pa],b: stress [Pa]\n0,0,0\n0.5,1,1\n1,2,\n',
     );
     expect(alignedData(plot, 1)[0]).toHaveLength(3);
+  });
+
+  it('has as many cells in each line of the table as in its header', () => {
+    const times = Array.from({ length: 401 }, (_, i) => 0.01 * i);
+    const lines = times.map((time) => `${time},${time === 1 ? '' : time},0`);
+    const header = 'time [s],tub torque [N],tub friction torque [N]';
+    const history = parseTable([header, ...lines, ''].join('\n'));
+    const one = { index: index({ name: 'a, b' }), history, tracks: null };
+    const plot = find([one], 'Torque on tub');
+    expect(plot.curves.map(({ column }) => column)).toContain('tub torque (running mean)');
+    const rows = csvOf(plot, ['a, b']).trimEnd().split('\n');
+    expect(new Set(rows.map((row) => row.split(',').length))).toEqual(new Set([4]));
+    expect(rows[101]).toMatch(/^1,,/);
+    const two = csvOf(find([one, one], 'Torque on tub: total'), ['a, b', 'c']);
+    expect(two).toMatch(/^time \[s\],"a, b: tub torque \[N\]",/);
+  });
+
+  it('is logarithmic only where there is a value for it', () => {
+    const plot = find([run('time [s],divergence')], 'Divergence');
+    expect(isLogarithmic(plot)).toBe(true);
+    plot.curves[0]!.values.fill(0);
+    expect(isLogarithmic(plot)).toBe(false);
+    expect(alignedData(plot, 1)[1]![0]).toBe(0);
   });
 
   it('shows values in the plot’s unit and leaves out what a logarithm cannot take', () => {
@@ -196,5 +230,30 @@ describe('plots of the pieces', () => {
       'Stress of each piece',
     ]);
     expect(section.plots[1]!.curves.map(({ values }) => values[0])).toEqual([3, 6]);
+  });
+});
+
+describe('commonWindow', () => {
+  it('holds all windows, as far as there are values', () => {
+    const windows: [number, number][] = [
+      [1, 2],
+      [3, 9],
+      [0, 0],
+    ];
+    expect(commonWindow(windows, [0, 6])).toEqual([1, 6]);
+  });
+
+  it('is none where nothing is known of it', () => {
+    expect(commonWindow([[0, 0]], [0, 6])).toBeNull();
+    expect(commonWindow([[7, 9]], [0, 6])).toBeNull();
+  });
+});
+
+describe('isolated', () => {
+  const shown = (...states: boolean[]) => states.map((state) => ({ shown: state }));
+
+  it('leaves one curve, and shows all where it is alone already', () => {
+    expect(isolated(shown(true, true, false), 2)).toEqual([false, false, true]);
+    expect(isolated(shown(false, false, true), 2)).toEqual([true, true, true]);
   });
 });

@@ -1,5 +1,5 @@
 import { deflateSync } from 'node:zlib';
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import {
   chunkReader,
   DataError,
@@ -12,7 +12,8 @@ import {
 
 /** A page that holds these elements. */
 function pageOf(elements: Record<string, string>): Document {
-  const found = (id: string) => (id in elements ? { textContent: elements[id] } : null);
+  const found = (id: string) =>
+    id in elements ? { textContent: elements[id], remove: () => delete elements[id] } : null;
   return { getElementById: found } as unknown as Document;
 }
 
@@ -45,6 +46,19 @@ describe('chunkReader', () => {
   it('undoes base64 and deflate', async () => {
     const read = chunkReader(pageOf({ 'washtub-chunk-3': `\n${text}\n` }));
     expect([...(await read(3))]).toEqual([1, 2, 3, 255]);
+  });
+
+  it('takes out of the page what it has read', async () => {
+    const elements = { 'washtub-chunk-0': text };
+    await chunkReader(pageOf(elements))(0);
+    expect(elements).toEqual({});
+  });
+
+  it('names the browsers that can read the data', async () => {
+    vi.stubGlobal('DecompressionStream', undefined);
+    const read = chunkReader(pageOf({ 'washtub-chunk-0': text }));
+    await expect(read(0)).rejects.toThrow(/too old.*Firefox 113/);
+    vi.unstubAllGlobals();
   });
 
   it('names a missing part', async () => {

@@ -67,6 +67,12 @@ describe('scatterOverTime', () => {
     expect([...scatter.times]).toEqual([0, 1]);
   });
 
+  it('leaves out a piece without a number', () => {
+    const three = `${header},piece 3 r [m],piece 3 z [m]`;
+    const scatter = scatterOverTime(parseTable(`${three}\n0,0,0,3,4,,\n1,,,3,4,,\n`))!;
+    expect([...scatter.values]).toEqual([2.5, NaN]);
+  });
+
   it('needs more than one piece', () => {
     expect(scatterOverTime(parseTable('time [s],piece 1 r [m],piece 1 z [m]\n0,1,1\n'))).toBeNull();
   });
@@ -78,6 +84,14 @@ describe('runningMean', () => {
     const mean = runningMean(series(times, times), 8)!;
     expect(mean.values[20]).toBeCloseTo(20, 12);
     expect(mean.values[0]).toBeCloseTo(2, 12);
+    expect(mean.values[40]).toBeCloseTo(38, 12);
+  });
+
+  it('leaves out what is no number', () => {
+    const times = Array.from({ length: 41 }, (_, i) => i);
+    const values = times.map((t) => (t === 19 || t === 21 ? NaN : t));
+    const mean = runningMean(series(times, values), 8)!;
+    expect(mean.values[20]).toBeCloseTo(20, 12);
     expect(mean.values[40]).toBeCloseTo(38, 12);
   });
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { expansion, fieldFrame, quantityOf, velocityAt } from '../../src/model/field';
+import { expansion, fieldFrame, quantityOf } from '../../src/model/field';
 import { Sampler } from '../../src/scene/sampling';
 import { madeField } from './made';
 
@@ -12,11 +12,6 @@ describe('field', () => {
     expect(table[128 + 127]).toBe(4);
     expect(table[128 - 127]).toBe(-4);
     expect(table[128 + 64]).toBeCloseTo(4 * (64 / 127) ** 2, 5);
-  });
-
-  it('gives the velocity in a cell', () => {
-    expect(velocityAt(field, 0, [0, 0, 0])).toEqual([4, -4, 4]);
-    expect(velocityAt(field, 0, [1, 0, 0])).toEqual([0, 0, 0]);
   });
 
   it('gives speed and components', () => {

@@ -1,7 +1,10 @@
 import { describe, expect, it } from 'vitest';
-import { formatQuantity } from '../../src/page/summary';
+import type { Quantity, RunIndex } from '../../src/model/bundle';
+import { withPlus } from '../../src/page/comparison';
+import { footnotes, formatQuantity, windowText } from '../../src/page/summary';
 import {
   displayOf,
+  formatBeside,
   formatInterval,
   formatNumber,
   formatPercent,
@@ -50,12 +53,23 @@ describe('formatNumber', () => {
   });
 });
 
+describe('formatBeside', () => {
+  it('shows 0 for what is nothing beside the largest', () => {
+    expect(formatBeside(1.069e-9, 1000)).toBe('0');
+    expect(formatBeside(0.1, 1000)).toBe('0.1000');
+    expect(formatBeside(1.069e-9, 0)).toBe('1.069 × 10⁻⁹');
+    expect(formatBeside(NaN, 1000)).toBe('–');
+  });
+});
+
 describe('displayOf', () => {
   it('chooses prefixes for engineers', () => {
     expect(displayOf('Pa', 167703)).toEqual({ factor: 1e-3, unit: 'kPa' });
     expect(displayOf('m', 0.0573)).toEqual({ factor: 1 / 1e-3, unit: 'mm' });
     expect(displayOf('N m', 5.6)).toEqual({ factor: 1, unit: 'N m' });
     expect(displayOf('W/m', 901031)).toEqual({ factor: 1e-3, unit: 'kW/m' });
+    expect(displayOf('N m/m', 5600).unit).toBe('kN m/m');
+    expect(displayOf('J/m', 0.012).unit).toBe('mJ/m');
     expect(displayOf('m^2', 1e-4)).toEqual({ factor: 1, unit: 'm²' });
     expect(displayOf('', 1e-9)).toEqual({ factor: 1, unit: '' });
   });
@@ -72,6 +86,33 @@ describe('formatQuantity', () => {
   });
 });
 
+describe('an interval wider than its mean', () => {
+  const wide = { mean: 352.4, half_width: 1731, unit: 'W' };
+
+  it('leaves the mean three digits', () => {
+    expect(formatQuantity(wide)).toEqual({ text: '352 ± 1730', unit: 'W' });
+    expect(formatQuantity({ ...wide, mean: 1e-14 }).text).toBe('0 ± 1730');
+  });
+
+  it('has a footnote with the number of batches', () => {
+    const quantity: Quantity = { ...wide, name: 'power', batches: 2, scaled: null };
+    const text = '† Interval wider than the mean: too few cycles (2).';
+    expect(footnotes([quantity], true)).toEqual([text]);
+    expect(footnotes([{ ...quantity, half_width: 1 }], true)).toEqual([]);
+    expect(footnotes([{ ...quantity, half_width: null }], true)[0]).toMatch(/^\* No interval/);
+  });
+});
+
+describe('windowText', () => {
+  const text = (window: [number, number], period: number) =>
+    windowText({ window, scales: { period } } as RunIndex);
+
+  it('names times and cycles, or says that they are not known', () => {
+    expect(text([1, 3], 0.5)).toMatch(/^Over 1.000 s to 3.000 s, 4 cycles;/);
+    expect(text([0, 0], 0.5)).toMatch(/not known/);
+  });
+});
+
 describe('formatTicks', () => {
   it('shows the step in full', () => {
     expect(formatTicks([0, 2.5, 5], 2.5)).toEqual(['0.0', '2.5', '5.0']);
@@ -85,6 +126,8 @@ describe('signs', () => {
     expect(formatPercent(12.34)).toBe('+12 %');
     expect(formatPercent(-3.51)).toBe('−3.5 %');
     expect(formatPercent(0)).toBe('0 %');
+    expect(withPlus(formatInterval(12, 3.4))).toBe('+12.0 ± 3.4');
+    expect(withPlus(formatInterval(5.78e-4, 1.2e-5))).toBe('(+5.78 ± 0.12) × 10⁻⁴');
     expect(prettyUnit('kg/m^3')).toBe('kg/m³');
     expect(prettyUnit('m^-1')).toBe('m⁻¹');
   });

@@ -61,12 +61,14 @@ export function madeRun(change: Partial<LoadedRun> = {}): LoadedRun {
 export function madeMotion(change: Partial<Motion> = {}): Motion {
   return {
     nodes: 4,
+    pieces: [{ first: 0, nr: 2, ns: 2, closed: [false, false] }],
     axes: 3,
     positions: madePositions(),
     lower: [0, 0, 0],
     scale: [1e-3, 1e-3, 1e-3],
     stress: {},
     centres: new Float32Array(9),
+    turning: null,
     ...change,
   };
 }

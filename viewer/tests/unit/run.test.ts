@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { frameAt, momentAt } from '../../src/model/moment';
-import { angleAt, loadRun, positionsAt, stressAt } from '../../src/model/run';
+import { angleAt, positionsAt, stressAt } from '../../src/model/between';
+import { loadRun } from '../../src/model/run';
 import { madeIndex, madeMotion, madePositions, madeRun } from './made';
 
 const bytesOf = (values: Uint16Array) => new Uint8Array(values.buffer);
