@@ -10,9 +10,9 @@ namespace washtub {
 
 /// A run as a page carries it.
 struct RunBundle {
-  nlohmann::ordered_json index;      ///< RunIndex of viewer/src/model/bundle.ts
-  std::size_t frames = 0;            ///< shown
-  std::size_t bytes = 0;             ///< that index and chunks take in the page
+  nlohmann::ordered_json index;    ///< RunIndex of viewer/src/model/bundle.ts
+  std::size_t frames = 0;          ///< shown
+  std::size_t bytes = 0;           ///< that index and chunks take in the page
   std::vector<std::string> notes;  ///< sentences on what is missing and what was left out to fit
 };
 

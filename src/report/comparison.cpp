@@ -142,8 +142,9 @@ std::string difference_sentence(const CompareRow& row, std::size_t run,
         row.name, text.text(), way, other, first, reason(row, run, names));
   if (!*difference.significant())
     return fmt::format(
-        "{}: no significant difference, {} {} in {} than in {} may be chance (95 % interval {}).",
-        row.name, text.text(), way, other, first, text.interval(true));
+        "{}: no significant difference, {} {} {} in {} than in {} may be chance (95 % interval "
+        "{}).",
+        row.name, rough(std::abs(text.value)), text.unit, way, other, first, text.interval(true));
   return fmt::format("{}: {} {} in {} than in {} (95 % interval {}).", row.name, text.text(), way,
                      other, first, text.interval(false));
 }
