@@ -202,7 +202,7 @@ TEST(Page, WithoutACaseShowsTheCloth) {
   EXPECT_TRUE(page.run()["solids"].empty());
 }
 
-TEST(Page, KeepsWithinEveryPossibleSize) {
+TEST(VerificationPageSize, KeepsWithinEveryPossibleSize) {
   MadeFrames frames;
   frames.count = 12;
   const Made made(frames);
@@ -232,7 +232,7 @@ std::string long_table(int rows, int seed) {
   return text;
 }
 
-TEST(Page, ThinsTheCurvesOfLongRuns) {
+TEST(VerificationPageSize, ThinsTheCurvesOfLongRuns) {
   MadeFrames none;
   none.count = 0;
   const Made made(none);
@@ -253,7 +253,7 @@ TEST(Page, ThinsTheCurvesOfLongRuns) {
   EXPECT_THAT(notes(few), Contains(HasSubstr("Curves: 1 of ")));
 }
 
-TEST(Page, LeavesTheFramesOutAtLast) {
+TEST(VerificationPageSize, LeavesTheFramesOutAtLast) {
   MadeFrames many;
   many.nodes = {60, 60};
   const Made made(many);
@@ -274,7 +274,7 @@ TEST(Page, LeavesTheFramesOutAtLast) {
 }
 
 /// One run needs much at least, the other nearly nothing; either may come first.
-TEST(Page, OfSeveralRunsFitsWhereverItCan) {
+TEST(VerificationPageSize, OfSeveralRunsFitsWhereverItCan) {
   const Made big;
   MadeFrames none;
   none.count = 0;
