@@ -18,7 +18,7 @@ struct PageContent {
 /// What was written.
 struct PageSize {
   std::size_t bytes = 0;
-  std::size_t frames = 0;            ///< of all runs together, as shown
+  std::size_t frames = 0;          ///< of all runs together, as shown
   std::vector<std::string> notes;  ///< sentences on what is missing and what was left out to fit
 };
 
