@@ -2,10 +2,10 @@
 #include <fmt/ranges.h>
 
 #include "app/commands.hpp"
+#include "case/case.hpp"
+#include "case/description.hpp"
+#include "case/groups.hpp"
 #include "washer/build.hpp"
-#include "washer/case.hpp"
-#include "washer/description.hpp"
-#include "washer/groups.hpp"
 
 namespace washtub {
 namespace {

@@ -3,10 +3,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "case/case.hpp"
 #include "cloth/modes.hpp"
 #include "io/file.hpp"
 #include "washer/build.hpp"
-#include "washer/case.hpp"
 
 namespace washtub {
 namespace {

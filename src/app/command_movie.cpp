@@ -17,10 +17,10 @@
 #include "app/commands.hpp"
 #include "app/movie_tools.hpp"
 #include "app/protect.hpp"
-#include "app/stop.hpp"
 #include "base/error.hpp"
 #include "base/units.hpp"
 #include "io/file.hpp"
+#include "record/stop.hpp"
 #include "report/page.hpp"
 
 namespace washtub {

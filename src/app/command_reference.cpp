@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/commands.hpp"
-#include "washer/case.hpp"
+#include "case/case.hpp"
 
 namespace washtub {
 

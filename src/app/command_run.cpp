@@ -9,9 +9,9 @@
 #include "app/directory.hpp"
 #include "app/launch.hpp"
 #include "app/report.hpp"
-#include "app/run.hpp"
-#include "app/stop.hpp"
 #include "base/error.hpp"
+#include "record/run.hpp"
+#include "record/stop.hpp"
 #include "washer/build.hpp"
 
 namespace washtub {

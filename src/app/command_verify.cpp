@@ -7,10 +7,10 @@
 
 #include "app/commands.hpp"
 #include "app/launch.hpp"
-#include "app/stop.hpp"
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "io/file.hpp"
+#include "record/stop.hpp"
 #include "verify/page.hpp"
 
 namespace washtub {

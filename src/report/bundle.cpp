@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "case/groups.hpp"
 #include "report/facts.hpp"
 #include "report/frames_index.hpp"
 #include "report/json.hpp"
@@ -13,7 +14,6 @@
 #include "report/thinning.hpp"
 #include "report/warnings.hpp"
 #include "washer/build.hpp"
-#include "washer/groups.hpp"
 
 namespace washtub {
 namespace {

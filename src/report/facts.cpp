@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "washer/description.hpp"
-#include "washer/groups.hpp"
+#include "case/description.hpp"
+#include "case/groups.hpp"
 
 namespace washtub {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/groups.hpp"
 #include "measure/cycles.hpp"
-#include "washer/groups.hpp"
 
 namespace washtub {
 

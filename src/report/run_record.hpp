@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "case/case.hpp"
 #include "io/table.hpp"
-#include "washer/case.hpp"
 
 namespace washtub {
 

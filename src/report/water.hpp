@@ -2,10 +2,10 @@
 #include <optional>
 #include <set>
 
+#include "case/case.hpp"
 #include "io/xdmf.hpp"
 #include "report/fields.hpp"
 #include "report/frame_set.hpp"
-#include "washer/case.hpp"
 
 namespace washtub {
 

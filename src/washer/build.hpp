@@ -1,10 +1,10 @@
 #pragma once
 #include <vector>
 
+#include "case/case.hpp"
 #include "cloth/cloth.hpp"
 #include "flow/flow.hpp"
 #include "solid/solid.hpp"
-#include "washer/case.hpp"
 
 namespace washtub {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "washer/case.hpp"
+#include "case/case.hpp"
 #include "washer/rectangle.hpp"
 
 namespace washtub {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "case/velocity_field.hpp"
 #include "washer/build.hpp"
-#include "washer/velocity_field.hpp"
 
 namespace washtub {
 namespace {

@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "case/case.hpp"
 #include "coupling/coupling.hpp"
 #include "solid/loads.hpp"
-#include "washer/case.hpp"
 
 namespace washtub {
 

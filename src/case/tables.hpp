@@ -1,0 +1,48 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "base/table.hpp"
+#include "case/case.hpp"
+#include "case/parts.hpp"
+#include "case/preset.hpp"
+
+namespace washtub {
+
+/// A whole case file while it is read.
+struct CaseFile {
+  Case result;
+  std::optional<WasherSpec> washer;
+  std::vector<SolidSpec> solids;  ///< as written, without those of the washer
+};
+
+/// The declaration of all keys of a case file.
+const Table<CaseFile>& case_table();
+
+Table<FluidCase> fluid_table();
+Table<DomainCase> domain_table();
+Table<ClothCase> cloth_table();
+/// Adds the keys that say where and how cloth starts.
+void add_start(Table<ClothCase>& table);
+Table<ProbeCase> probe_table();
+Table<ExactCase> exact_table();
+Table<CouplingCase> coupling_table();
+Table<TimeCase> time_table();
+Table<SolverCase> solver_table();
+Table<OutputCase> output_table();
+Table<ScaleCase> scale_table();
+
+/// Refuses what no single key shows; `root` is the whole file, for the place of a key.
+/// @throws InputError
+void check_case(const CaseFile& file, const Node& root);
+void check_sides(const Case& whole, const Node& root);
+void check_cloth(const CaseFile& file, const Node& root);
+void check_probes(const Case& whole, const Node& root);
+
+/// An error at a key of the file; where the file does not give the key, at the file, with the
+/// value that was filled in.
+InputError error_at_key(const Node& root, const std::string& key, const std::string& value,
+                        const std::string& message);
+std::string metres(double length);  ///< `"0.5 m"`
+
+}  // namespace washtub

@@ -1,0 +1,33 @@
+#pragma once
+#include "case/velocity_field.hpp"
+#include "washer/simulation.hpp"
+
+namespace washtub {
+
+/// How far the velocity is from a known one.
+struct VelocityError {
+  double largest = 0;
+  double rms = 0;
+};
+
+/// Compares the velocity with an exact solution, Eq. (A.13): each component u_d on its own faces,
+/// those that are open and lie inside the water, without those on sides of the box. Relative errors
+/// are over the exact speed |u_ex| at the face, and leave out faces where that is zero.
+template <int D>
+class ExactSolution {
+ public:
+  explicit ExactSolution(const ExactCase& exact)
+      : field_(exact.velocity), relative_(exact.relative) {}
+
+  /// Errors of the velocity now: in m/s, or of the exact speed (collective).
+  VelocityError compare(const Simulation<D>& simulation) const;
+
+ private:
+  /// What the component d on the face at x counts; negative if not at all.
+  double error(double u, int d, const Vec<D>& x, double t) const;
+
+  VelocityField<D> field_;
+  bool relative_;
+};
+
+}  // namespace washtub

@@ -1,0 +1,117 @@
+#include "program.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "case/case.hpp"
+
+using testing::HasSubstr;
+using washtub::testing::Outcome;
+using washtub::testing::Program;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string wash() { return fs::absolute("cases/wash-3d/case.toml").string(); }
+
+/// The wash case with one key set.
+std::string run_with(const std::string& setting) { return "run " + wash() + " --set " + setting; }
+
+}  // namespace
+
+TEST_F(Program, RefusesWrongKeysAndUnits) {
+  refuses(run_with("cloth.strech_stiffness='8e5 N/m'"),
+          "--set cloth.strech_stiffness = \"8e5 N/m\": unknown key, nearest known: "
+          "cloth.stretch_stiffness");
+  refuses(run_with("fluid.viscosity=1"),
+          "--set fluid.viscosity = 1: expected dynamic viscosity with its unit such as \"1 Pa s\"");
+  refuses(run_with("cloth.stretch_stiffness='8e5 N'"),
+          "--set cloth.stretch_stiffness = \"8e5 N\": expected force per length such as "
+          "\"8e5 N/m\"");
+}
+
+TEST_F(Program, RefusesImpossibleNumbers) {
+  refuses(run_with("fluid.viscosity='-1 Pa s'"),
+          "--set fluid.viscosity = \"-1 Pa s\": allowed: > 0 Pa s");
+  refuses(run_with("domain.cells=0"), "--set domain.cells = 0: allowed: 8 to 8192");
+  refuses(run_with("time.end='0 s'"), "--set time.end = \"0 s\": allowed: > 0 s");
+  refuses(run_with("output.window='[\"1 s\", \"40 s\"]'"),
+          "--set output.window = [\"1 s\", \"40 s\"]: allowed: a begin before the end, both from "
+          "\"0 s\" to \"18.8496 s\" (time.end)");
+}
+
+TEST_F(Program, RefusesWhatDoesNotFit) {
+  refuses(run_with("cloth.size='[\"40 cm\", \"15 cm\"]'"),
+          "--set cloth.size = [\"40 cm\", \"15 cm\"]: the cloth is larger than the tub, whose "
+          "radius and depth bound a page, allowed: below \"0.31 m\"");
+  refuses(run_with("washer.agitator.fin_radius='32 cm'"),
+          "--set washer.agitator.fin_radius = \"32 cm\": the agitator is wider than the tub, "
+          "allowed: below 0.31 m (washer.radius)");
+  refuses(run_with("washer.agitator.hub_height='22 cm'"),
+          "--set washer.agitator.hub_height = \"22 cm\": the agitator is higher than the water, "
+          "allowed: below 0.2004 m (washer.depth less the round cap)");
+  refuses(run_with("domain.sides.x_lower=periodic"),
+          "--set domain.sides.x_lower = \"periodic\": periodic sides come in pairs, so the "
+          "opposite side must be periodic too");
+}
+
+TEST_F(Program, RefusesWrongCommandLines) {
+  refuses("check nothing.toml", "nothing.toml: no such file");
+  refuses("run " + wash() + " -n 0", "-n 0: allowed: 1 or more ranks");
+  refuses("wash",
+          "unknown command wash; there are run, check, modes, verify, report, compare, movie, "
+          "reference");
+}
+
+TEST_F(Program, DoesNotWriteOverTheCaseFile) {
+  fs::create_directories(folder / "own");
+  fs::copy_file(wash(), folder / "own" / "case.toml");
+  const Outcome outcome = run("run own/case.toml -o own --force");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.text.find("is the folder of the case file"), std::string::npos);
+  EXPECT_TRUE(fs::exists(folder / "own" / "case.toml"));
+}
+
+TEST_F(Program, KeepsResultsOfAnotherRun) {
+  const fs::path results = folder / "out" / "wash-3d";
+  fs::create_directories(results);
+  std::ofstream(results / "history.csv") << "kept\n";
+  const Outcome outcome = run("run " + wash());
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.text,
+            "washtub: out/wash-3d: holds results already; name another directory with -o, or "
+            "overwrite them with --force\n");
+  EXPECT_EQ(std::distance(fs::directory_iterator(results), {}), 1);
+}
+
+TEST_F(Program, RefusesAFileAsDirectory) {
+  std::ofstream(folder / "file") << "kept\n";
+  const Outcome outcome = run("run " + wash() + " -o file");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.text, "washtub: file: is not a directory; name another one with -o\n");
+}
+
+TEST_F(Program, EveryCaseOfTheProjectIsValid) {
+  for (const auto& entry : fs::recursive_directory_iterator("cases")) {
+    if (entry.path().extension() != ".toml") continue;
+    const Outcome outcome = run("check " + fs::absolute(entry.path()).string());
+    EXPECT_EQ(outcome.code, 0) << outcome.text;
+  }
+}
+
+TEST_F(Program, CheckPrintsThePapersGroups) {
+  const std::string text = run("check " + wash()).text;
+  for (const char* part : {"32 x 32 x 32 cells", "Re = 1208", "Te = 170", "Be = 2.2", "Se = 0.0638",
+                           "To = 2.2", "In = 0.0003", "St = 0.0507", "16 pieces"})
+    EXPECT_THAT(text, HasSubstr(part));
+}
+
+TEST(Reference, PageOfTheDocumentsIsCurrent) {
+  std::ifstream file("docs/input.md");
+  const std::string page{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  EXPECT_EQ(page, washtub::input_reference())
+      << "write it anew with: ./washtub reference > docs/input.md";
+}

@@ -1,0 +1,94 @@
+#include "record/observer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace washtub {
+namespace {
+
+Case box() {
+  Case whole;
+  whole.dimension = 2;
+  whole.domain.size = {1, 1, 0};
+  whole.domain.cells = {32, 32, 1};
+  whole.time.end = 1;
+  return whole;
+}
+
+ClothCase thread() {
+  ClothCase cloth;
+  cloth.arrangement = Arrangement::sheet;
+  cloth.size = {0.4, 0};
+  cloth.nodes = {9, 1};
+  cloth.material = {100, 0, 1e-3, 0, 0, 0, 1e-3};
+  return cloth;
+}
+
+TEST(Observer, ProbesAreCountedFromBothEnds) {
+  Case whole = box();
+  whole.cloth = {thread(), thread()};
+  whole.cloth[0].origin = {0.3, 0.25, 0};
+  whole.cloth[1].origin = {0.3, 0.75, 0};
+  whole.probes = {{"root", 1, {0, 0}}, {"tip", 2, {-1, 0}}, {"inner", 2, {2, 0}}};
+  Simulation<2> simulation(whole, Parallel());
+  const auto probes = Observer<2>(simulation).observe().probes;
+  ASSERT_EQ(probes.size(), 3u);
+  EXPECT_LT((probes[0] - Vec<3>(0.3, 0.25, 0)).norm(), 1e-15);
+  EXPECT_LT((probes[1] - Vec<3>(0.7, 0.75, 0)).norm(), 1e-15);
+  EXPECT_LT((probes[2] - Vec<3>(0.4, 0.75, 0)).norm(), 1e-15);
+}
+
+TEST(Observer, ProbesOfASheetTakeBothNumbers) {
+  Case whole = box();
+  whole.dimension = 3;
+  whole.domain.size = {1, 1, 1};
+  whole.domain.cells = {16, 16, 16};
+  whole.cloth = {thread()};
+  whole.cloth[0].size = {0.4, 0.2};
+  whole.cloth[0].nodes = {9, 5};
+  whole.cloth[0].origin = {0.3, 0.4, 0.5};
+  whole.probes = {{"corner", 1, {-1, -1}}, {"edge", 1, {8, 2}}};
+  Simulation<3> simulation(whole, Parallel());
+  const auto probes = Observer<3>(simulation).observe().probes;
+  EXPECT_LT((probes[0] - Vec<3>(0.7, 0.6, 0.5)).norm(), 1e-15);
+  EXPECT_LT((probes[1] - Vec<3>(0.7, 0.5, 0.5)).norm(), 1e-15);
+}
+
+TEST(Observer, RingsEncloseTheirArea) {
+  Case whole = box();
+  for (const double x : {0.25, 0.75}) {
+    ClothCase ring = thread();
+    ring.arrangement = Arrangement::ring;
+    ring.centre = {x, 0.5, 0};
+    ring.radius = 0.1;
+    ring.size = {0.2 * std::numbers::pi, 0};
+    ring.nodes = {32, 1};
+    whole.cloth.push_back(ring);
+  }
+  Simulation<2> simulation(whole, Parallel());
+  const double polygon = 16 * 0.01 * std::sin(std::numbers::pi / 16);
+  EXPECT_NEAR(Observer<2>(simulation).observe().enclosed_area, polygon, 1e-15);
+}
+
+/// A stream from the left drags a post along with it; nothing pushes it up or down.
+TEST(Observer, StreamPushesThePost) {
+  Case whole = box();
+  whole.fluid.density = 1;
+  whole.fluid.viscosity = 0.05;
+  whole.fluid.velocity = {"1", "0", "0"};
+  whole.domain.sides[0] = {SideKind::inflow, {1, 0, 0}};
+  whole.domain.sides[1].kind = SideKind::outflow;
+  whole.domain.sides[2].kind = whole.domain.sides[3].kind = SideKind::slip;
+  whole.solids = {{"post", sphere({0.5, 0.5, 0}, 0.15), Vec<3>::Zero(), at_rest()}};
+  Simulation<2> simulation(whole, Parallel());
+  while (simulation.time() < 0.3) simulation.step(0.3);
+  const Vec<3> force = Observer<2>(simulation).observe().solids[0].force;
+  EXPECT_GT(force[0], 0.3);  // of 1/2 rho U^2 2 r = 0.15, at Re 6 and half blocked
+  EXPECT_LT(force[0], 3);
+  EXPECT_NEAR(force[1], 0, 1e-3 * force[0]);
+  EXPECT_EQ(force[2], 0);
+}
+
+}  // namespace
+}  // namespace washtub
