@@ -6,10 +6,11 @@
 #include <cstdlib>
 
 #include "app/commands.hpp"
-#include "app/directory.hpp"
 #include "app/launch.hpp"
 #include "app/report.hpp"
+#include "app/start_point.hpp"
 #include "base/error.hpp"
+#include "io/agree.hpp"
 #include "record/run.hpp"
 #include "record/stop.hpp"
 #include "washer/build.hpp"
@@ -17,7 +18,9 @@
 namespace washtub {
 namespace {
 
-constexpr const char* prepared_mark = "WASHTUB_PREPARED";
+/// What the launching process found out tells its ranks in the environment.
+constexpr const char* resumed_mark = "WASHTUB_RESUMED";
+constexpr const char* developed_mark = "WASHTUB_DEVELOPED";
 
 /// Initialises MPI for as long as it lives.
 struct Mpi {
@@ -58,27 +61,34 @@ int fail(const char* message, int code, const LastWords& last_words) {
   return code;
 }
 
-/// Under a launcher other than ours rank 0 still has to see to the directory.
-void prepare_once(const RunOptions& options) {
-  if (std::getenv(prepared_mark)) return;
-  std::string message;
-  int good = 1;
-  if (rank() == 0) {
+bool is_prepared() { return std::getenv(resumed_mark) != nullptr; }
+
+/// Under a launcher other than ours rank 0 still has to see to the start.
+void prepare_once(const RunArguments& arguments, const Case& whole, RunOptions& options) {
+  if (is_prepared()) {
+    options.resumed = std::getenv(resumed_mark);
+    options.developed = std::getenv(developed_mark);
+    return;
+  }
+  const Parallel parallel;
+  std::string refusal;
+  if (parallel.root()) {
     try {
-      prepare_directory(options.directory, options.force);
+      prepare_start(arguments, whole, options);
     } catch (const InputError& error) {
-      message = error.what();
-      good = 0;
+      refusal = error.what();
     }
   }
-  MPI_Bcast(&good, 1, MPI_INT, 0, MPI_COMM_WORLD);
-  if (!good) throw InputError(message);
+  refusal = from_root(parallel, refusal);
+  if (!refusal.empty()) throw InputError(refusal);
+  options.resumed = from_root(parallel, options.resumed);
+  options.developed = from_root(parallel, options.developed);
 }
 
 /// One rank of the simulation. Ranks that command_run has launched leave the report to it, since
 /// any of them may be the one that fails.
-int simulate(const RunArguments& arguments, const RunOptions& options) {
-  const bool launched = inside_mpi() && std::getenv(prepared_mark);
+int simulate(const RunArguments& arguments, RunOptions options) {
+  const bool launched = inside_mpi() && is_prepared();
   const Mpi mpi;
   install_stop_handlers();
   const auto report = [&] {
@@ -86,7 +96,7 @@ int simulate(const RunArguments& arguments, const RunOptions& options) {
   };
   try {
     const Case whole = read_case(arguments.input.path, arguments.input.settings);
-    prepare_once(options);
+    prepare_once(arguments, whole, options);
     const int code = run_case(whole, options);
     if (rank() == 0) report();
     return code;
@@ -130,16 +140,16 @@ int choose_ranks(const RunArguments& arguments, const Case& whole) {
 
 }  // namespace
 
-int command_run(const RunArguments& arguments) {
-  RunOptions options{arguments.directory, arguments.force, arguments.all};
-  if (options.directory.empty()) options.directory = default_directory(arguments.input.path);
+int command_run(RunArguments arguments) {
+  settle_directory(arguments);
+  RunOptions options{arguments.directory, arguments.force, arguments.all, program_name, {}, {}};
   if (inside_mpi()) return simulate(arguments, options);
   const Case whole = read_case(arguments.input.path, arguments.input.settings);
   check_build(whole);
   const int ranks = choose_ranks(arguments, whole);
-  protect_case(arguments.input.path, options.directory);
-  prepare_directory(options.directory, options.force);
-  setenv(prepared_mark, "1", 1);
+  prepare_start(arguments, whole, options);
+  setenv(resumed_mark, options.resumed.c_str(), 1);
+  setenv(developed_mark, options.developed.c_str(), 1);
   if (ranks == 1) return simulate(arguments, options);
   const int code = launch_ranks(ranks, arguments.all);
   if (arguments.report && code != 2) report_run(options.directory);

@@ -20,6 +20,8 @@ struct RunArguments {
   std::string directory;     ///< of the results; "" = out/<name of the case>
   std::optional<int> ranks;  ///< as many as there are cores where not given
   bool force = false;
+  bool resume = false;           ///< go on with an interrupted run
+  std::string from;              ///< checkpoint whose water and cloth are the start; "" = none
   bool report = true;            ///< a page is made at the end
   std::vector<std::string> all;  ///< the whole command line
 };
@@ -65,7 +67,7 @@ struct MovieArguments {
 };
 
 /// Every command returns the exit code.
-int command_run(const RunArguments& arguments);
+int command_run(RunArguments arguments);
 int command_check(const CaseArguments& arguments);
 int command_reference();
 int command_modes(const ModesArguments& arguments);

@@ -29,10 +29,10 @@ void protect_case(const std::string& case_path, const std::string& directory) {
 
 namespace {
 
-/// Everything that is written of a run.
-constexpr const char* results[] = {"case.toml",   "history.csv", "tracks.csv",     "summary.json",
-                                   "log.txt",     "frames.xdmf", "paraview.xdmf2", "frames",
-                                   "report.html", "movie.mp4"};
+/// Everything that is written of a run, but for case.toml, from which it may be about to start.
+constexpr const char* results[] = {"history.csv", "tracks.csv",     "summary.json", "log.txt",
+                                   "frames.xdmf", "paraview.xdmf2", "frames",       "report.html",
+                                   "movie.mp4",   "checkpoints"};
 
 }  // namespace
 

@@ -25,12 +25,18 @@ void add_case(CLI::App& command, CaseArguments& arguments) {
 }
 
 void add_run(CLI::App& app, RunArguments& arguments) {
-  CLI::App& command = *app.add_subcommand("run", "simulate a case");
+  CLI::App& command = *app.add_subcommand(
+      "run", "simulate a case; with --resume, CASE may be the directory of the interrupted run");
   add_case(command, arguments.input);
   command.add_option("-o", arguments.directory, "directory of the results [out/<case>]")
       ->type_name("DIR");
   command.add_option("-n", arguments.ranks, "MPI ranks [physical cores]")->type_name("RANKS");
   command.add_flag("--force", arguments.force, "overwrite earlier results");
+  command.add_flag("--resume", arguments.resume, "go on from the newest sound checkpoint");
+  command
+      .add_option("--from", arguments.from,
+                  "start with water and cloth of another run: a checkpoint, or its directory")
+      ->type_name("CHECKPOINT");
   command.add_flag("!--no-report", arguments.report, "do not make report.html at the end");
 }
 

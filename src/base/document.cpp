@@ -134,15 +134,16 @@ Node* Node::find(const std::string& name) {
   return const_cast<Node*>(static_cast<const Node*>(this)->find(name));
 }
 
-Node parse_file(const std::string& path) {
-  const std::string text = read_text(path);
+Node parse_file(const std::string& path) { return parse_text(read_text(path), path); }
+
+Node parse_text(const std::string& text, const std::string& name) {
   try {
-    Node root = convert(toml::parse(text, path), path, "");
-    root.where = path;
+    Node root = convert(toml::parse(text, name), name, "");
+    root.where = name;
     return root;
   } catch (const toml::parse_error& error) {
     throw InputError(
-        fmt::format("{}:{}: {}", path, error.source().begin.line, error.description()));
+        fmt::format("{}:{}: {}", name, error.source().begin.line, error.description()));
   }
 }
 

@@ -34,6 +34,8 @@ struct Node::Member {
 
 /// Reads a TOML file into a table. @throws InputError with line and reason.
 Node parse_file(const std::string& path);
+/// The same of the text of a file called `name`.
+Node parse_text(const std::string& text, const std::string& name);
 
 /// Applies `key=value` as `--set` gives it: the value is TOML, or else taken as text.
 /// Tables of the key are made where absent; "cloth.count" reaches into a list of one entry, and

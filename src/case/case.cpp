@@ -107,6 +107,7 @@ Table<CaseFile> declare() {
       .table("time", part<&Case::time>(), time_table())
       .table("solver", part<&Case::solver>(), solver_table())
       .table("output", part<&Case::output>(), output_table())
+      .table("checkpoint", part<&Case::checkpoint>(), checkpoint_table())
       .then(set_scales)
       .table("scale", part<&Case::scale>(), scale_table())
       .then(set_times);

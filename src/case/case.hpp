@@ -126,6 +126,12 @@ struct OutputCase {
   double window_end = 0;    ///< end of the statistics [s]
 };
 
+struct CheckpointCase {
+  double every = 0;        ///< simulated time between checkpoints [s]; 0 = none
+  double wall_time = 600;  ///< time of computing between checkpoints [s]; 0 = none
+  int keep = 2;            ///< newest ones that stay
+};
+
 /// Scales of the dimensionless groups, Eqs. (17)-(19).
 struct ScaleCase {
   double length = 0;  ///< r_o [m]
@@ -148,6 +154,7 @@ struct Case {
   TimeCase time;
   SolverCase solver;
   OutputCase output;
+  CheckpointCase checkpoint;
   ScaleCase scale;
   std::string resolved;  ///< the case as TOML with explicit units, defaults filled in
 };

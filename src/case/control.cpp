@@ -77,6 +77,19 @@ Table<OutputCase> output_table() {
   return table;
 }
 
+Table<CheckpointCase> checkpoint_table() {
+  Table<CheckpointCase> table(
+      "Checkpoints, from which `washtub run --resume` goes on with a run that was interrupted. One "
+      "is written at the end of a run, and when a signal stops it, in any case.");
+  table
+      .key("every", &CheckpointCase::every, quantity(measure::time, at_least(0)),
+           "simulated time between two; 0 s for none")
+      .key("wall_time", &CheckpointCase::wall_time, quantity(measure::time, at_least(0)),
+           "time of computing between two; 0 s for none")
+      .key("keep", &CheckpointCase::keep, integer(between(1, 1000)), "newest ones that stay");
+  return table;
+}
+
 Table<ScaleCase> scale_table() {
   Table<ScaleCase> table("Scales of the dimensionless groups, Eqs. (17)-(19).");
   table.key("length", &ScaleCase::length, quantity(measure::length, above(0)), "r_o")

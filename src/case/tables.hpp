@@ -30,6 +30,7 @@ Table<CouplingCase> coupling_table();
 Table<TimeCase> time_table();
 Table<SolverCase> solver_table();
 Table<OutputCase> output_table();
+Table<CheckpointCase> checkpoint_table();
 Table<ScaleCase> scale_table();
 
 /// Refuses what no single key shows; `root` is the whole file, for the place of a key.

@@ -2,6 +2,7 @@
 #include <span>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "cloth/sheet.hpp"
 
 namespace washtub {
@@ -36,6 +37,11 @@ struct Cloth {
     position.insert(position.end(), where.begin(), where.end());
     for (auto* v : {&velocity, &velocity_before, &elastic})
       v->resize(position.size(), Vec<D>::Zero());
+  }
+  void state(Archive& archive) {
+    archive.same_length("position", position);
+    archive.same_length("velocity", velocity);
+    archive.same_length("velocity before", velocity_before);
   }
   int nodes() const { return static_cast<int>(position.size()); }
   int pieces() const {

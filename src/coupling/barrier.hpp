@@ -15,6 +15,13 @@ class Barrier {
  public:
   Barrier(const Grid<D>& grid, const DomainMapping<D>& mapping, const Cloth<D>& cloth);
 
+  void state(Archive& archive) {
+    archive.same_length("kept", kept_);
+    archive.same_length("clearance", clearance_);
+    archive.same_length("alone", alone_);
+    archive.same_length("accepted", accepted_);
+  }
+
   static constexpr int no_solid = -1;
 
   /// A node that would come too near.

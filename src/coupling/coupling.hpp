@@ -58,6 +58,12 @@ class Coupling {
   /// On return the cloth is at its new place, outside all solids.
   Report move(double dt);
 
+  void state(Archive& archive) {
+    archive.same_length("force", force_);
+    archive.value("last step", last_step_);
+    archive.value("barrier", barrier_);
+  }
+
   /// Moment of the contact forces on a solid about its axis [N m], in the last step.
   double contact_moment(std::size_t solid) const;
 

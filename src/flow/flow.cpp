@@ -82,6 +82,35 @@ void Flow<D>::openings_changed(int k0, int k1, bool flipped) {
     }
 }
 
+template <int D>
+void Flow<D>::restart() {
+  for (int d = 0; d < D; ++d) {
+    f_[d].fill(0);
+    convection_[d].fill(0);
+  }
+  multigrid_.pressure().fill(0);
+  pressure_before_.fill(0);
+  last_step_ = 0;
+  steps_since_flip_ = -1;
+  forced_ = false;
+}
+
+template <int D>
+void Flow<D>::state(Archive& archive) {
+  const GridPart part = grid_.part();
+  archive.grids("velocity", u_, part);
+  archive.grids("force", f_, part);
+  archive.grids("convection", convection_, part);
+  archive.grid("pressure", multigrid_.pressure(), part);
+  archive.grid("pressure before", pressure_before_, part);
+  archive.value("last step", last_step_);
+  archive.value("speed", speed_);
+  archive.value("steps since flip", steps_since_flip_);
+  archive.value("forced", forced_);
+  archive.value("passing water", passing_);
+  if (archive.reading()) multigrid_.update();
+}
+
 template class Flow<2>;
 template class Flow<3>;
 

@@ -77,6 +77,11 @@ class Flow {
   /// ghosts current. The pressure includes the reaction to force().
   Report project(double dt, double tolerance, int max_cycles);
 
+  /// Forgets pressure, force and the steps so far; the velocity stays.
+  void restart();
+  /// What goes on from step to step. After reading, the openings are taken up as they are now.
+  void state(Archive& archive);
+
   /// Ghosts of the velocity from other ranks and from the sides (after setting an initial state).
   void refresh_ghosts();
 

@@ -20,6 +20,8 @@ class PassingWater {
   void advance(const std::array<double*, D>& u, const std::array<const float*, D>& open, double dt,
                double speed);
 
+  void state(Archive& archive) { archive.value("mean outflow", mean_outflow_); }
+
   double fastest_inflow() const { return fastest_inflow_; }  ///< [m/s]
 
  private:

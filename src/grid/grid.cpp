@@ -63,6 +63,25 @@ Grid<D>::~Grid() {
   if (comm_ != MPI_COMM_NULL) MPI_Comm_free(&comm_);
 }
 
+template <int D>
+GridPart Grid<D>::part() const {
+  GridPart part;
+  part.memory[2] = static_cast<std::size_t>(block_.stride[1]);
+  part.start = static_cast<std::size_t>(Block<D>::pad) - 1;
+  for (int d = 0; d < D; ++d) {
+    const auto a = static_cast<std::size_t>(2 - d);
+    const int first = block_.offset[d], cells = block_.count[d], all = mesh_.cells[d];
+    const bool lower = first == 0, upper = first + cells == all;
+    part.extent[a] = static_cast<std::size_t>(all + 2);
+    part.offset[a] = static_cast<std::size_t>(first + !lower);
+    part.count[a] = static_cast<std::size_t>(cells + lower + upper);
+    part.near[a] = static_cast<std::size_t>(first);
+    part.near_count[a] = static_cast<std::size_t>(cells + 2);
+    if (d > 0) part.memory[a] = part.near_count[a];
+  }
+  return part;
+}
+
 template Index<2> choose_ranks<2>(const Index<2>&, const Granularity<2>&, int);
 template Index<3> choose_ranks<3>(const Index<3>&, const Granularity<3>&, int);
 template class Grid<2>;

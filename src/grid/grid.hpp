@@ -2,6 +2,7 @@
 #include <array>
 #include <functional>
 
+#include "base/archive.hpp"
 #include "base/parallel.hpp"
 #include "grid/block.hpp"
 #include "grid/halo.hpp"
@@ -40,6 +41,8 @@ class Grid {
            (side == 0 ? block_.offset[axis] == 0
                       : block_.offset[axis] + block_.count[axis] == mesh_.cells[axis]);
   }
+  /// Where a field of this grid lies in memory and in the whole.
+  GridPart part() const;
   Field make_field() const { return Field(static_cast<std::size_t>(block_.size)); }
   Vec<D> position(const Index<D>& local, int face = -1) const {
     Index<D> c = local;

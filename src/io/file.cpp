@@ -1,11 +1,14 @@
 #include "io/file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 
 #include "base/error.hpp"
 
@@ -17,8 +20,17 @@ int write_whole(const std::string& path, std::string_view text) {
   std::FILE* file = std::fopen(path.c_str(), "wb");
   if (file == nullptr) return errno;
   const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-  const int error = written ? 0 : errno;
+  const int error = written && std::fflush(file) == 0 && ::fsync(::fileno(file)) == 0 ? 0 : errno;
   if (std::fclose(file) != 0 && error == 0) return errno;
+  return error;
+}
+
+/// Waits until a file or directory is on the disk. The error number of the failure, 0 if none.
+int sync(const std::string& path, int flags) {
+  const int file = ::open(path.c_str(), flags | O_CLOEXEC);
+  if (file < 0) return errno;
+  const int error = ::fsync(file) == 0 ? 0 : errno;
+  ::close(file);
   return error;
 }
 
@@ -51,6 +63,28 @@ void replace_file(const std::string& path, std::string_view text) {
   if (error == 0) return;
   std::remove(temporary.c_str());
   throw RunError(cannot_write(path, error));
+}
+
+void publish_file(const std::string& path) {
+  const std::string temporary = path + ".part";
+  int error = sync(temporary, O_WRONLY);
+  if (error == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
+  if (error == 0)
+    error = sync(std::filesystem::path(path).parent_path().string(), O_RDONLY | O_DIRECTORY);
+  if (error == 0) return;
+  std::remove(temporary.c_str());
+  throw RunError(cannot_write(path, error));
+}
+
+std::string reserve_file(const std::string& path, std::size_t bytes) {
+  const std::string temporary = path + ".part";
+  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  if (file < 0) return cannot_write(path, errno);
+  const int error = ::posix_fallocate(file, 0, static_cast<::off_t>(bytes));
+  ::close(file);
+  if (error != ENOSPC && error != EFBIG && error != EDQUOT) return {};
+  std::remove(temporary.c_str());
+  return cannot_write(path, error);
 }
 
 }  // namespace washtub

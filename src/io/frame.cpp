@@ -1,17 +1,14 @@
 #include "io/frame.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "base/error.hpp"
+#include "io/agree.hpp"
 #include "io/cloth_mesh.hpp"
 #include "io/file.hpp"
 
@@ -21,20 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string relative_path(int number) { return fmt::format("frames/frame_{:06d}.h5", number); }
-
-/// Makes the file's temporary and makes sure that `bytes` fit on the disk, since the parallel
-/// library does not survive a failed write. Returns the reason if they do not, with the temporary
-/// gone again.
-std::string reserve(const std::string& path, std::size_t bytes) {
-  const std::string temporary = path + ".part";
-  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
-  if (file < 0) return cannot_write(path, errno);
-  const int error = ::posix_fallocate(file, 0, static_cast<::off_t>(bytes));
-  ::close(file);
-  if (error != ENOSPC && error != EFBIG && error != EDQUOT) return {};
-  std::remove(temporary.c_str());
-  return cannot_write(path, error);
-}
 
 /// Bytes of a frame's file, and some to spare for the library's own data.
 std::size_t file_size(const FluidGrid& grid, const ClothMesh& cloth) {
@@ -75,29 +58,17 @@ FrameWriter::FrameWriter(const std::string& directory, const Parallel& parallel,
   std::error_code error;
   const std::string frames = directory_ + "/frames";
   if (parallel_.root()) fs::create_directory(frames, error);
-  agree(error ? fmt::format("cannot write {}: {}", frames, error.message()) : std::string());
+  agree(parallel_,
+        error ? fmt::format("cannot write {}: {}", frames, error.message()) : std::string());
 }
 
 std::string FrameWriter::path(int number) const { return directory_ + "/" + relative_path(number); }
 
-/// On return no rank has a reason to stop; else all throw, with the lowest such rank's reason.
-void FrameWriter::agree(const std::string& reason) const {
-  int first = reason.empty() ? parallel_.size() : parallel_.rank();
-  MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, parallel_.comm());
-  if (first == parallel_.size()) return;
-  int length = static_cast<int>(reason.size());
-  MPI_Bcast(&length, 1, MPI_INT, first, parallel_.comm());
-  std::string text = reason;
-  text.resize(static_cast<std::size_t>(length));
-  MPI_Bcast(text.data(), length, MPI_CHAR, first, parallel_.comm());
-  throw RunError(text);
-}
-
-void FrameWriter::resume(double until) {
+void FrameWriter::resume(int frames) {
   if (parallel_.root()) {
     std::ifstream file(directory_ + "/frames.xdmf");
     const std::istreambuf_iterator<char> begin(file), end;
-    index_.restore(std::string(begin, end), until);
+    index_.restore(std::string(begin, end), static_cast<std::size_t>(frames));
     frames_ = static_cast<int>(index_.frames());
     std::error_code ignored;
     for (int n = frames_; fs::remove(path(n), ignored); ++n)
@@ -117,7 +88,7 @@ void FrameWriter::write_fluid(Hdf5File& file, const FluidBlock& fluid) const {
 void FrameWriter::write(const Frame& frame) {
   const std::string target = path(frames_);
   const ClothMesh mesh(parallel_.root() ? frame.cloth : std::vector<ClothPiece>(), dimension_);
-  agree(parallel_.root() ? reserve(target, file_size(grid_, mesh)) : std::string());
+  agree(parallel_, parallel_.root() ? reserve_file(target, file_size(grid_, mesh)) : std::string());
   Hdf5File file(target + ".part", parallel_.comm());
   file.attribute("time [s]", frame.time);
   for (const FrameNumber& angle : angles(frame.solids)) file.attribute(angle.name, angle.value);
@@ -129,8 +100,7 @@ void FrameWriter::write(const Frame& frame) {
 /// Renames the finished file and lists it; on failure nothing of the frame is left.
 void FrameWriter::publish(const Frame& frame, const ClothTopology& cloth) {
   const std::string target = path(frames_);
-  if (std::rename((target + ".part").c_str(), target.c_str()) != 0)
-    throw RunError(cannot_write(target, errno));
+  publish_file(target);
   index_.add(frame.time, relative_path(frames_), grid_, cloth, angles(frame.solids));
   try {
     replace_file(directory_ + "/frames.xdmf", index_.text());
@@ -156,7 +126,7 @@ void FrameWriter::finish(const std::string& failure, const Frame& frame,
     }
   }
   if (parallel_.root()) std::remove((target + ".part").c_str());
-  agree(reason);
+  agree(parallel_, reason);
   ++frames_;
 }
 

@@ -55,8 +55,9 @@ class FrameWriter {
   FrameWriter(const std::string& directory, const Parallel& parallel, int dimension,
               const FluidGrid& grid);
 
-  /// Goes on after an interrupted run: forgets frames later than `until` [s] (collective).
-  void resume(double until);
+  /// Goes on after an interrupted run, behind its first `frames` frames; forgets later ones
+  /// (collective). Fewer may be left of them.
+  void resume(int frames);
 
   /// Collective. On return the frame is in place, complete, and listed in frames.xdmf.
   /// @throws RunError with path and reason, on all ranks; then no part of the frame is left
@@ -68,7 +69,6 @@ class FrameWriter {
   void write_fluid(Hdf5File& file, const FluidBlock& fluid) const;
   void publish(const Frame& frame, const ClothTopology& cloth);
   void finish(const std::string& failure, const Frame& frame, const ClothTopology& cloth);
-  void agree(const std::string& reason) const;
   std::string path(int number) const;
 
   std::string directory_;

@@ -6,7 +6,6 @@
 
 #include <cerrno>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 
 #include "base/error.hpp"
@@ -24,8 +23,9 @@ std::string header(const std::vector<Column>& columns) {
   return line;
 }
 
-/// The file's text without the rows beyond `until` and without an unfinished last row.
-std::string kept(const std::string& path, const std::string& expected, double until) {
+/// The file's header and first `rows` rows, without an unfinished last one; `rows` becomes how many
+/// there are.
+std::string kept(const std::string& path, const std::string& expected, long& rows) {
   std::ifstream file(path);
   std::string line, text = expected + '\n';
   if (!file) throw RunError(fmt::format("cannot read {}", path));
@@ -34,8 +34,9 @@ std::string kept(const std::string& path, const std::string& expected, double un
         fmt::format("{}: header is \"{}\", expected \"{}\": the file is of another run or "
                     "version; try a new output directory",
                     path, line, expected));
-  while (std::getline(file, line) && !file.eof())
-    if (std::strtod(line.c_str(), nullptr) <= until) text += line + '\n';
+  long found = 0;
+  for (; found < rows && std::getline(file, line) && !file.eof(); ++found) text += line + '\n';
+  rows = found;
   return text;
 }
 
@@ -47,9 +48,9 @@ History::History(const std::string& path, const std::vector<Column>& columns)
   append(header(columns) + '\n');
 }
 
-History::History(const std::string& path, const std::vector<Column>& columns, double until)
-    : path_(path), columns_(columns.size()) {
-  replace_file(path, kept(path, header(columns), until));
+History::History(const std::string& path, const std::vector<Column>& columns, long rows)
+    : path_(path), columns_(columns.size()), rows_(rows) {
+  replace_file(path, kept(path, header(columns), rows_));
   open(O_WRONLY | O_APPEND);
 }
 
@@ -76,6 +77,10 @@ void History::append(const std::string& line) {
   }
 }
 
+void History::sync() const {
+  if (::fsync(file_.id) != 0) throw RunError(cannot_write(path_, errno));
+}
+
 void History::add(std::span<const double> row) {
   if (row.size() != columns_)
     throw RunError(fmt::format("{}: {} values for {} columns", path_, row.size(), columns_));
@@ -83,6 +88,7 @@ void History::add(std::span<const double> row) {
   for (const double value : row) line += std::isnan(value) ? "," : fmt::format("{:.9g},", value);
   line.back() = '\n';
   append(line);
+  ++rows_;
 }
 
 }  // namespace washtub

@@ -18,10 +18,14 @@ class History {
   /// Starts a new file, in place of an older one.
   /// @throws RunError with path and reason
   History(const std::string& path, const std::vector<Column>& columns);
-  /// Goes on with the file of an interrupted run: rows whose first column is beyond `until` are
-  /// dropped, the others stay as they are.
+  /// Goes on with the file of an interrupted run behind its first `rows` rows; what follows them is
+  /// dropped. Fewer may be left of them.
   /// @throws RunError if it cannot be read or its header is another
-  History(const std::string& path, const std::vector<Column>& columns, double until);
+  History(const std::string& path, const std::vector<Column>& columns, long rows);
+
+  long rows() const { return rows_; }
+  /// Waits until all rows are on the disk.
+  void sync() const;
 
   /// One value per column; NaN leaves the field empty.
   /// @throws RunError with path and reason; then no part of the row is in the file
@@ -41,6 +45,7 @@ class History {
 
   std::string path_;
   std::size_t columns_;
+  long rows_ = 0;
   Descriptor file_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace washtub {
@@ -151,13 +152,11 @@ void FrameIndex::add(double time, const std::string& file, const FluidGrid& flui
                       cloth.cells > 0 ? cloth_element(time, file, cloth) : ""});
 }
 
-void FrameIndex::restore(const std::string& text, double until) {
+void FrameIndex::restore(const std::string& text, std::size_t frames) {
   entries_.clear();
   const std::vector<std::string> fluid = elements(text, "fluid"), cloth = elements(text, "cloth");
-  for (std::size_t i = 0; i < fluid.size(); ++i) {
-    const double time = time_of(fluid[i]);
-    if (time <= until) entries_.push_back({time, fluid[i], i < cloth.size() ? cloth[i] : ""});
-  }
+  for (std::size_t i = 0; i < std::min(frames, fluid.size()); ++i)
+    entries_.push_back({time_of(fluid[i]), fluid[i], i < cloth.size() ? cloth[i] : ""});
 }
 
 std::string FrameIndex::text() const {

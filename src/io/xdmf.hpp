@@ -44,8 +44,8 @@ class FrameIndex {
   void add(double time, const std::string& file, const FluidGrid& fluid, const ClothTopology& cloth,
            const std::vector<FrameNumber>& numbers);
   void drop_last() { entries_.pop_back(); }
-  /// Takes over the frames that the text of an earlier frames.xdmf lists up to time `until`.
-  void restore(const std::string& text, double until);
+  /// Takes over the first `frames` frames that the text of an earlier frames.xdmf lists.
+  void restore(const std::string& text, std::size_t frames);
   std::size_t frames() const { return entries_.size(); }
   std::string text() const;
 

@@ -2,6 +2,7 @@
 #include <span>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "measure/trajectory.hpp"
 
 namespace washtub {
@@ -29,6 +30,11 @@ class Scatter {
       r_[piece].add(p[0], area[i] * time);
       z_[piece].add(p[1], area[i] * time);
     }
+  }
+
+  void state(Archive& archive) {
+    archive.same_length("r", r_);
+    archive.same_length("z", z_);
   }
 
   const Interval& window() const { return window_; }

@@ -24,6 +24,8 @@ class Statistics {
   double deviation() const;  ///< square root of the mean squared difference from the mean
   double rms() const;
 
+  static constexpr bool of_doubles = true;
+
  private:
   double weight_ = 0, mean_ = 0, squares_ = 0;
 };

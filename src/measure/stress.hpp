@@ -2,6 +2,7 @@
 #include <span>
 #include <vector>
 
+#include "base/archive.hpp"
 #include "measure/statistics.hpp"
 
 namespace washtub {
@@ -38,6 +39,11 @@ class StressStatistics {
   /// Area means of every piece, in the same order each time, standing for the time `over`.
   void add(const Interval& over, std::span<const StressParts> pieces);
 
+  void state(Archive& archive) {
+    archive.same_length("pieces", of_piece_);
+    archive.value("all", of_all_);
+  }
+
   StressSummary membrane() const { return summary(&Parts::membrane); }
   StressSummary bending() const { return summary(&Parts::bending); }
   StressSummary total() const { return summary(&Parts::total); }
@@ -47,6 +53,7 @@ class StressStatistics {
   struct Parts {
     Statistics membrane, bending, total;
     void add(const StressParts& value, double weight);
+    static constexpr bool of_doubles = true;
   };
   StressSummary summary(Statistics Parts::*part) const;
 

@@ -178,6 +178,12 @@ void Observer<D>::watch(const typename Simulation<D>::Step& step) {
   e.smallest_step = std::min(e.smallest_step, step.dt);
 }
 
+template <int D>
+void Observer<D>::state(Archive& archive) {
+  archive.value("stress", stress_);
+  archive.value("scatter", scatter_);
+}
+
 template class Observer<2>;
 template class Observer<3>;
 

@@ -63,6 +63,8 @@ class Observer {
     long touched = 0, cycles = 0, unconverged = 0, newton = 0;
     double largest_step = 0, smallest_step = 1e30;
   };
+  /// Statistics so far (collective).
+  void state(Archive& archive);
   /// To be called after every step.
   void watch(const typename Simulation<D>::Step& step);
   const Extremes& extremes() const { return extremes_; }

@@ -42,10 +42,41 @@ Output<D>::Output(const Simulation<D>& simulation, const Observer<D>& observer,
   velocity_.resize(3 * cells);
   pressure_.resize(cells);
   solid_.resize(cells);
-  if (!simulation.grid().parallel().root()) return;
-  history_ = std::make_unique<History>(directory + "/history.csv", history_columns());
-  if (simulation.cloth().pieces() > 0)
-    tracks_ = std::make_unique<History>(directory + "/tracks.csv", track_columns());
+}
+
+template <int D>
+void Output<D>::start() {
+  if (!simulation_.grid().parallel().root()) return;
+  history_ = std::make_unique<History>(directory_ + "/history.csv", history_columns());
+  if (simulation_.cloth().pieces() > 0)
+    tracks_ = std::make_unique<History>(directory_ + "/tracks.csv", track_columns());
+}
+
+template <int D>
+std::string Output<D>::go_on() {
+  frames_.resume(frames_before_);
+  if (!simulation_.grid().parallel().root()) return {};
+  history_ = std::make_unique<History>(directory_ + "/history.csv", history_columns(), rows_);
+  if (simulation_.cloth().pieces() > 0)
+    tracks_ = std::make_unique<History>(directory_ + "/tracks.csv", track_columns(), rows_);
+  if (history_->rows() == rows_ && frames_.frames() == frames_before_) return {};
+  return fmt::format("{} of {} rows and {} of {} frames were lost with the interrupted run",
+                     rows_ - history_->rows(), rows_, frames_before_ - frames_.frames(),
+                     frames_before_);
+}
+
+template <int D>
+void Output<D>::sync() const {
+  if (history_) history_->sync();
+  if (tracks_) tracks_->sync();
+}
+
+template <int D>
+void Output<D>::state(Archive& archive) {
+  int frames = frames_.frames();
+  archive.value("rows", rows_);
+  archive.value("frames", frames);
+  if (archive.reading()) frames_before_ = frames;
 }
 
 template <int D>
@@ -96,6 +127,7 @@ std::vector<Column> Output<D>::track_columns() const {
 
 template <int D>
 void Output<D>::add_row(const Sample& sample) {
+  ++rows_;
   if (!history_) return;
   const auto& step = simulation_.last();
   std::vector<double> row = {

@@ -16,6 +16,16 @@ class Output {
   Output(const Simulation<D>& simulation, const Observer<D>& observer,
          const std::string& directory);
 
+  /// Files of a new run.
+  void start();
+  /// Goes on behind the rows and frames that were written when the state was saved; returns a
+  /// sentence where some of them are lost.
+  std::string go_on();
+  /// Waits until everything written so far is on the disk.
+  void sync() const;
+  /// Rows and frames so far.
+  void state(Archive& archive);
+
   void add_row(const Sample& sample);  ///< to history.csv and tracks.csv
   void add_frame();                    ///< collective
   /// `outcome`: "complete", "stopped" or the reason of a failure.
@@ -29,6 +39,8 @@ class Output {
   const Observer<D>& observer_;
   std::string directory_;
   std::unique_ptr<History> history_, tracks_;  ///< on rank 0
+  long rows_ = 0;
+  int frames_before_ = 0;  ///< that a run to go on from had written
   FrameWriter frames_;
   std::vector<float> velocity_, pressure_, solid_;
 };

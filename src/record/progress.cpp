@@ -27,6 +27,12 @@ Progress::Progress(double end, bool shown)
 
 double Progress::elapsed() const { return now() - start_; }
 
+void Progress::state(Archive& archive) {
+  double spent = elapsed();
+  archive.value("elapsed", spent);
+  start_ = now() - spent;
+}
+
 bool Progress::show(double time, const std::string& state) {
   const double spent = elapsed();
   if (!shown_ || spent < next_) return false;

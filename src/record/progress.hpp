@@ -1,6 +1,8 @@
 #pragma once
 #include <string>
 
+#include "base/archive.hpp"
+
 namespace washtub {
 
 /// The line a run shows while it works: on a terminal one that is overwritten, else a new one every
@@ -10,8 +12,9 @@ class Progress {
   /// `end`: simulated time at which the run ends [s].
   Progress(double end, bool shown);
 
-  /// Seconds since the start.
+  /// Seconds of computing since the start of the run, those before an interruption included.
   double elapsed() const;
+  void state(Archive& archive);
   /// Shows `state` with the share done and the time to go, if it is time for another line.
   /// Returns whether it did.
   bool show(double time, const std::string& state);

@@ -7,21 +7,28 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/snapshot.hpp"
+#include "io/checkpoint.hpp"
 #include "io/file.hpp"
+#include "record/checkpoint_clock.hpp"
 #include "record/output.hpp"
 #include "record/progress.hpp"
+#include "record/schedule.hpp"
 #include "record/stop.hpp"
 
 namespace washtub {
 namespace {
 
 constexpr int stopped = 130;
+constexpr int tries = 3;       // of an interval between rows, each with half the step
+constexpr double share = 0.5;  // of the step before, from try to try
 
 /// log.txt on rank 0; silent elsewhere.
-std::shared_ptr<spdlog::logger> open_log(const std::string& directory, bool root) {
+std::shared_ptr<spdlog::logger> open_log(const RunOptions& options, bool root) {
   if (!root) return std::make_shared<spdlog::logger>("run");
   try {
-    auto sink = std::make_shared<spdlog::sinks::basic_file_sink_mt>(directory + "/log.txt", true);
+    auto sink = std::make_shared<spdlog::sinks::basic_file_sink_mt>(options.directory + "/log.txt",
+                                                                    options.resumed.empty());
     auto log = std::make_shared<spdlog::logger>("run", sink);
     log->flush_on(spdlog::level::info);
     return log;
@@ -36,27 +43,36 @@ std::string describe(const typename Simulation<D>::Step& s) {
                      name(s.limit), s.courant, s.divergence);
 }
 
-/// A run from its start to its end, to the user's wish to stop, or to a failure.
+std::unique_ptr<StateReader> open_state(const std::string& path) {
+  return path.empty() ? nullptr : std::make_unique<StateReader>(path);
+}
+
+/// A run from its start or a checkpoint to its end, to the user's wish to stop, or to a failure.
 template <int D>
 class Run {
  public:
   Run(const Case& whole, const RunOptions& options)
       : case_(whole),
-        log_(open_log(options.directory, parallel_.root())),
-        simulation_(whole, parallel_),
+        options_(options),
+        log_(open_log(options, parallel_.root())),
+        developed_(open_state(options.developed)),
+        simulation_(whole, parallel_, developed_.get()),
         observer_(simulation_),
-        directory_(options.directory),
         output_(simulation_, observer_, options.directory),
+        schedule_(whole),
+        checkpoints_(options.directory, whole.checkpoint.keep),
+        clock_(whole.checkpoint),
         progress_(whole.time.end, parallel_.root()) {
-    if (parallel_.root()) replace_file(options.directory + "/case.toml", whole.resolved);
-    log_->info("washtub {}", fmt::join(options.arguments, " "));
+    log_->info("{}", fmt::join(options.arguments, " "));
     const auto& ranks = simulation_.grid().ranks();
     log_->info("{} ranks ({}), {} pieces of cloth, {} nodes", parallel_.size(),
                fmt::join(ranks, " x "), simulation_.cloth().pieces(), simulation_.cloth().nodes());
+    if (parallel_.root()) replace_file(options.directory + "/case.toml", whole.resolved);
   }
 
   int run() {
     try {
+      begin();
       return advance();
     } catch (const RunError& error) {
       log_->error("{}", error.what());
@@ -68,56 +84,133 @@ class Run {
     }
   }
 
+  /// Everything that a run which goes on has to know.
+  void state(Archive& archive) {
+    archive.value("simulation", simulation_);
+    archive.value("observer", observer_);
+    archive.value("output", output_);
+    archive.value("schedule", schedule_);
+    archive.value("progress", progress_);
+  }
+
  private:
+  void begin() {
+    if (options_.resumed.empty()) {
+      output_.start();
+      sample(true);
+      return;
+    }
+    StateReader(options_.resumed).value("run", *this);
+    tell(fmt::format("going on from {} at t = {:.6g} s", options_.resumed, simulation_.time()));
+    const std::string lost = output_.go_on();
+    if (!lost.empty()) tell(lost);
+    clock_.start(simulation_.time());
+    row_.take(*this);
+  }
+
   int advance() {
-    sample(true);
-    const double end = case_.time.end, every = case_.output.every;
-    const auto samples = static_cast<long>(std::ceil(end / every - 1e-9));
-    for (long s = 1; s <= samples; ++s) {
-      const double latest = std::min(end, static_cast<double>(s) * every);
-      const double close = case_.time.fixed ? 0.5 * case_.time.step : 1e-9 * every;
-      while (simulation_.time() < latest - close) {
-        step(latest);
+    while (!schedule_.reached(simulation_.time(), case_.time.end)) {
+      const double due = schedule_.next(simulation_.time());
+      while (!schedule_.reached(simulation_.time(), due)) {
+        step(due);
         if (progress_.show(simulation_.time(), describe<D>(simulation_.last())))
           log_->info("t {:.6g} s  {}", simulation_.time(), describe<D>(simulation_.last()));
-        if (parallel_.any(stop_requested())) return stop();
+        switch (wish()) {
+          case Wish::stop:
+            return stop();
+          case Wish::save:
+            save();
+            break;
+          case Wish::none:
+            break;
+        }
       }
-      sample(frame_due());
+      sample(schedule_.take_frame(simulation_.time()));
+      tries_left_ = tries;
     }
+    save();
     finish("complete");
     return 0;
   }
 
-  /// A step; where it fails, the state is written before the run ends.
-  void step(double latest) {
+  enum class Wish { none, save, stop };
+
+  /// What any rank was asked to do between two steps, the same on all.
+  Wish wish() const {
+    const bool due = parallel_.root() && clock_.due(simulation_.time());
+    const Wish mine = stop_requested() ? Wish::stop : due ? Wish::save : Wish::none;
+    return static_cast<Wish>(static_cast<int>(parallel_.max(static_cast<double>(mine))));
+  }
+
+  /// A run that goes on later knows nothing of the last row and frame.
+  int stop() {
+    save();
+    write(true);
+    finish("stopped");
+    return stopped;
+  }
+
+  /// A step; where it fails, those since the last row are done again with smaller ones. Where that
+  /// does not help the run ends, with a last row and frame of the state that failed, and with a
+  /// checkpoint of the last row's.
+  void step(double due) {
     try {
-      observer_.watch(simulation_.step(latest));
-    } catch (const RunError&) {
-      try {
-        sample(true);
-      } catch (const RunError&) {  // what went wrong first is what counts
-      }
+      observer_.watch(simulation_.step(due));
+    } catch (const RunError& error) {
+      if (tries_left_ > 0 && !case_.time.fixed) return try_again(error.what());
+      give_up();
       throw;
     }
   }
 
-  bool frame_due() {
-    if (case_.output.frames <= 0) return false;
-    const auto due = static_cast<long>(simulation_.time() / case_.output.frames + 1e-6);
-    const bool is_due = due > frames_;
-    frames_ = std::max(frames_, due);
-    return is_due;
+  void try_again(const std::string& reason) {
+    const double failed = simulation_.time();
+    row_.put_back(*this);
+    const double part = std::pow(share, tries - --tries_left_);
+    simulation_.be_cautious(part);
+    tell(
+        fmt::format("{}. Trying again from t = {:.6g} s with {:g} of the step (failed at {:.6g} s)",
+                    reason, simulation_.time(), part, failed));
   }
 
-  void sample(bool frame) {
+  void give_up() {
+    try {
+      if (simulation_.finite()) write(true);
+      row_.put_back(*this);
+      save();
+    } catch (const RunError&) {  // what went wrong first is what counts
+    }
+  }
+
+  /// A row, and maybe a frame, of the state now.
+  void write(bool frame) {
     output_.add_row(observer_.observe());
     if (frame && case_.output.frames > 0) output_.add_frame();
   }
 
-  int stop() {
-    sample(true);
-    finish("stopped");
-    return stopped;
+  /// The same, and from now on the run may go back to here.
+  void sample(bool frame) {
+    write(frame);
+    row_.take(*this);
+  }
+
+  /// A checkpoint; where it cannot be written the run goes on.
+  void save() {
+    CheckpointLabel label{options_.program, case_.resolved, simulation_.time(),
+                          simulation_.last().number};
+    try {
+      output_.sync();
+      checkpoints_.write(label, parallel_, [&](Archive& a) { a.value("run", *this); });
+    } catch (const RunError& error) {
+      tell(fmt::format("no checkpoint: {}", error.what()));
+    }
+    clock_.start(simulation_.time());
+  }
+
+  /// Tells the user and the log.
+  void tell(const std::string& text) {
+    log_->warn("{}", text);
+    if (parallel_.root()) fmt::print(stderr, "washtub: {}\n", text);
   }
 
   void finish(const std::string& outcome) {
@@ -127,18 +220,23 @@ class Run {
         fmt::format("{}: t {:.6g} s, {} steps, {:.1f} s of computing", outcome, simulation_.time(),
                     simulation_.last().number, progress_.elapsed());
     log_->info(line);
-    if (parallel_.root()) fmt::print(stderr, "{}; results in {}\n", line, directory_);
+    if (parallel_.root()) fmt::print(stderr, "{}; results in {}\n", line, options_.directory);
   }
 
   const Case& case_;
+  const RunOptions& options_;
   Parallel parallel_;
   std::shared_ptr<spdlog::logger> log_;
+  std::unique_ptr<StateReader> developed_;
   Simulation<D> simulation_;
   Observer<D> observer_;
-  std::string directory_;
   Output<D> output_;
+  Schedule schedule_;
+  Checkpoints checkpoints_;
+  CheckpointClock clock_;
   Progress progress_;
-  long frames_ = 0;
+  Snapshot row_;  ///< the state at the last row
+  int tries_left_ = tries;
 };
 
 }  // namespace

@@ -6,29 +6,17 @@
 #include <algorithm>
 #include <map>
 
-#include "base/document.hpp"
+#include "base/settings.hpp"
 
 namespace washtub {
 namespace {
 
 constexpr std::size_t most_sentences = 30;
 
-/// Settings of a case in the order of its file: dotted key and value.
-using Settings = std::vector<std::pair<std::string, std::string>>;
-
-void flatten(const Node& node, Settings& settings) {
-  const bool tables = node.is_list() && !node.list().empty() && node.list()[0].is_table();
-  if (node.is_table())
-    for (const Node::Member& member : node.members()) flatten(member.node, settings);
-  else if (tables)
-    for (const Node& entry : node.list()) flatten(entry, settings);
-  else if (node.key != "title")
-    settings.emplace_back(node.key, value_text(node));
-}
-
+/// Those of a run's case, but for its title.
 Settings settings_of(const RunRecord& run) {
-  Settings settings;
-  flatten(parse_file(run.directory + "/case.toml"), settings);
+  Settings settings = settings_of(parse_text(run.case_text, run.directory + "/case.toml"));
+  std::erase_if(settings, [](const auto& setting) { return setting.first == "title"; });
   return settings;
 }
 

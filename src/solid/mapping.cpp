@@ -269,6 +269,24 @@ void DomainMapping<D>::set_solid_velocity(std::array<Field, D>& u, float open_at
   }
 }
 
+template <int D>
+void DomainMapping<D>::still(std::array<Field, D>& u) const {
+  for (int d = 0; d < D; ++d)
+    for (long p = 0; p < grid_.block().size; ++p)
+      if (open_[d][p] == 0 && owner_[d][p] < solids_.size()) u[d][p] = 0;
+}
+
+template <int D>
+void DomainMapping<D>::state(Archive& archive) {
+  const GridPart part = grid_.part();
+  archive.grids("open", open_, part);
+  archive.grids("owner", owner_, part);
+  archive.grids("expiry", expiry_, part);
+  archive.value("time", time_);
+  archive.value("travel", travel_);
+  if (archive.reading()) pose();
+}
+
 template class DomainMapping<2>;
 template class DomainMapping<3>;
 

@@ -36,6 +36,9 @@ class DomainMapping {
   /// Moves the solids to time t (collective).
   Change update(double t);
 
+  /// Where the solids stand and which faces they close.
+  void state(Archive& archive);
+
   double time() const { return time_; }
   bool smooth() const { return gamma_ > 0; }
   const std::vector<Solid>& solids() const { return solids_; }
@@ -53,6 +56,8 @@ class DomainMapping {
   void impose(std::array<Field, D>& u) const { set_solid_velocity(u, 0.0F); }
   /// Sets u = u_o on every face of a moving solid that is not fully open.
   void impose_target(std::array<Field, D>& target) const { set_solid_velocity(target, 0.9999999F); }
+  /// Sets u = 0 on every face that a solid closes.
+  void still(std::array<Field, D>& u) const;
   /// Momentum that the faces opened and closed by the last update() hand to a solid when the
   /// velocity is still the one before impose(): force x time and moment x time about its axis.
   std::pair<Vec<D>, double> swept(std::size_t solid, const std::array<Field, D>& u,

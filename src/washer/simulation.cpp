@@ -18,12 +18,12 @@ constexpr double divergence_limit = 0.1;  // |div u| h/U, above which the run st
 }  // namespace
 
 const char* name(StepLimit limit) {
-  constexpr const char* names[] = {"step", "cfl", "growth", "sample", "slip"};
+  constexpr const char* names[] = {"step", "cfl", "growth", "sample", "slip", "caution"};
   return names[static_cast<int>(limit)];
 }
 
 template <int D>
-Simulation<D>::Simulation(const Case& whole, const Parallel& parallel)
+Simulation<D>::Simulation(const Case& whole, const Parallel& parallel, Archive* developed)
     : case_(whole),
       grid_(build_mesh<D>(whole), parallel, granularity(build_mesh<D>(whole))),
       mapping_(grid_, build_solids(whole), smooth_width(whole), whole.domain.mapping_shift),
@@ -32,6 +32,7 @@ Simulation<D>::Simulation(const Case& whole, const Parallel& parallel)
       cloth_(build_cloth<D>(whole)),
       impulses_(whole.solids.size()) {
   start_water();
+  if (developed) take_developed(*developed);
   courant_rate_ = start_rate();
   if (cloth_.pieces() > 0)
     coupling_.emplace(flow_, cloth_, mapping_, whole.coupling.kernel, build_sides<D>(whole),
@@ -48,6 +49,43 @@ void Simulation<D>::start_water() {
   mapping_.impose(flow_.velocity());
   flow_.refresh_ghosts();
   measure_start();
+}
+
+/// Water and cloth of another simulation; faces that this one's solids close move with them.
+template <int D>
+void Simulation<D>::take_developed(Archive& developed) {
+  struct WaterAndCloth {
+    Flow<D>& flow;
+    Cloth<D>& cloth;
+    void state(Archive& archive) {
+      archive.value("flow", flow);
+      archive.value("cloth", cloth);
+    }
+  } both{flow_, cloth_};
+  developed.value("simulation", both);
+  flow_.restart();
+  mapping_.still(flow_.velocity());
+  mapping_.impose(flow_.velocity());
+  flow_.refresh_ghosts();
+  measure_start();
+}
+
+template <int D>
+void Simulation<D>::state(Archive& archive) {
+  archive.value("mapping", mapping_);
+  archive.value("flow", flow_);
+  archive.value("cloth", cloth_);
+  if (coupling_) archive.value("coupling", *coupling_);
+  archive.value("step", last_.number);
+  archive.value("time", last_.time);
+  archive.value("time step", last_.dt);
+  archive.value("speed", last_.speed);
+  archive.value("kinetic energy", last_.kinetic);
+  archive.value("courant rate", courant_rate_);
+  archive.value("slip factor", slip_factor_);
+  archive.value("caution", caution_);
+  archive.value("wanted step", wanted_step_);
+  archive.same_length("impulses", impulses_);
 }
 
 /// Speed and kinetic energy at t = 0.
@@ -109,10 +147,11 @@ double Simulation<D>::choose_step(double latest) {
   };
   if (courant_rate_ > 0) take(time.cfl / courant_rate_, StepLimit::courant);
   if (slip_factor_ < 1) take(slip_factor_ * dt, StepLimit::slip);
+  if (caution_ < 1) take(caution_ * dt, StepLimit::caution);
   take(wanted_step_ > 0 ? growth * wanted_step_ : start_step(), StepLimit::growth);
   wanted_step_ = dt;
   const double left = latest - last_.time;
-  const double even = left / std::ceil(left / dt - 1e-3);  // equal steps up to the sample
+  const double even = left / std::max(1.0, std::ceil(left / dt - 1e-3));  // up to the sample
   if (even < 0.999 * dt) last_.limit = StepLimit::sample;
   return even;
 }
@@ -161,6 +200,7 @@ const typename Simulation<D>::Step& Simulation<D>::step(double latest) {
   record_impulses(dt);
   slip_factor_ = last_.cloth.slip > slip_limit * last_.speed ? std::max(0.1, 0.7 * slip_factor_)
                                                              : std::min(1.0, 1.02 * slip_factor_);
+  caution_ = std::min(1.0, 1.02 * caution_);
   watch();
   return last_;
 }
@@ -205,6 +245,12 @@ SurfaceLoads<D> Simulation<D>::loads(std::size_t solid) const {
     part->torque = grid_.parallel().sum(part->torque);
   }
   return l;
+}
+
+template <int D>
+bool Simulation<D>::finite() const {
+  return std::isfinite(last_.kinetic) && std::all_of(cloth_.position.begin(), cloth_.position.end(),
+                                                     [](const Vec<D>& x) { return x.allFinite(); });
 }
 
 template <int D>

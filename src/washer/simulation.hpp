@@ -10,7 +10,7 @@
 namespace washtub {
 
 /// What keeps the time step from being longer.
-enum class StepLimit { given, courant, growth, sample, slip };
+enum class StepLimit { given, courant, growth, sample, slip, caution };
 const char* name(StepLimit limit);
 
 /// What a turning solid received from the water since the last look.
@@ -18,6 +18,7 @@ struct Impulse {
   double moment = 0;  ///< time integral of the torque of the water on it [N m s], per metre in 2-D
   double angle = 0;   ///< swept meanwhile [rad]
   double time = 0;    ///< [s]
+  static constexpr bool of_doubles = true;
 };
 
 /// A case that runs: water, solids and cloth, and the step that moves them on together.
@@ -25,8 +26,16 @@ template <int D>
 class Simulation {
  public:
   /// Places the cloth at rest, and sets the water's velocity at t = 0.
-  /// @throws InputError where the cloth does not fit or the grid does not suit the ranks
-  Simulation(const Case& whole, const Parallel& parallel);
+  /// With `developed`, the state of another simulation, water and cloth start as they are there;
+  /// time, solids and everything else are those of this case.
+  /// @throws InputError where the cloth does not fit or the grid does not suit the ranks, or where
+  /// the developed state has another grid or other cloth
+  Simulation(const Case& whole, const Parallel& parallel, Archive* developed = nullptr);
+
+  /// All that goes on from step to step (collective).
+  void state(Archive& archive);
+  /// The next steps are at most `share` of what they would be; that wears off over a hundred steps.
+  void be_cautious(double share) { caution_ = share; }
 
   struct Step {
     long number = 0;
@@ -44,6 +53,9 @@ class Simulation {
   /// @throws RunError when the state makes no sense any more; it is left as it is for a last look
   const Step& step(double latest);
 
+  /// Whether the state is made of numbers still: no NaN or infinity in water or cloth.
+  bool finite() const;
+
   double time() const { return last_.time; }
   const Step& last() const { return last_; }
   const Grid<D>& grid() const { return grid_; }
@@ -58,6 +70,7 @@ class Simulation {
 
  private:
   void start_water();
+  void take_developed(Archive& developed);
   void measure_start();
   double start_rate() const;
   double start_step() const;
@@ -76,7 +89,7 @@ class Simulation {
   std::optional<Coupling<D>> coupling_;
   Step last_;
   double courant_rate_ = 0;  ///< largest sum over axes of |u| / h [1/s]
-  double slip_factor_ = 1;
+  double slip_factor_ = 1, caution_ = 1;
   double wanted_step_ = 0;  ///< before it was cut to meet the sample [s]
   std::vector<Impulse> impulses_;
 };

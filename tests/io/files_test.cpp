@@ -79,7 +79,7 @@ TEST(History, ResumedItDropsWhatTheCheckpointDidNotSee) {
     for (const double t : {0.1, 0.2, 0.3}) history.add(std::vector<double>{t, 1, 2});
   }
   std::ofstream(path, std::ios::app) << "0.1,half a ro";
-  History(path, columns, 0.2).add(std::vector<double>{0.25, 7, 8});
+  History(path, columns, 2).add(std::vector<double>{0.25, 7, 8});
   EXPECT_EQ(contents(path), "time [s],outer torque [N m],steps\n0.1,1,2\n0.2,1,2\n0.25,7,8\n");
 }
 

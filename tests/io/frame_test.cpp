@@ -201,7 +201,7 @@ TEST(Frame, WrongSizesAreNamed) {
 TEST(Frame, ResumeForgetsLaterFrames) {
   const Written w;
   FrameWriter again(w.dir.path(), w.parallel, 3, grid);
-  again.resume(0.5);
+  again.resume(2);
   EXPECT_EQ(again.frames(), 2);
   again.write(Sample(w.parallel, 0.625).frame);
   EXPECT_EQ(read_attribute(w.file("frame_000002.h5"), "time [s]"), 0.625);

@@ -73,7 +73,7 @@ TEST(Xdmf, WithoutClothThereIsNoMeshOfIt) {
   index.add(0, "f.h5", grid, {}, {});
   EXPECT_THAT(index.text(), Not(HasSubstr("cloth")));
   FrameIndex again;
-  again.restore(index.text(), 0);
+  again.restore(index.text(), 1);
   EXPECT_EQ(again.text(), index.text());
 }
 
@@ -116,9 +116,9 @@ TEST(Xdmf, PlaneCasesAreASlabBelowTheirCloth) {
 TEST(Xdmf, RestoresWhatItWrote) {
   const std::string text = two_frames().text();
   FrameIndex all_of_it, first;
-  all_of_it.restore(text, 0.2);
+  all_of_it.restore(text, 2);
   EXPECT_TRUE(all_of_it.text() == text);
-  first.restore(text, 0.1);
+  first.restore(text, 1);
   EXPECT_EQ(first.frames(), 1);
   EXPECT_TRUE(well_formed(first.text()));
 }

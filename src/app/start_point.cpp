@@ -1,0 +1,89 @@
+#include "app/start_point.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/directory.hpp"
+#include "base/error.hpp"
+#include "base/settings.hpp"
+#include "io/checkpoint.hpp"
+
+namespace washtub {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Keys that a run may change when it goes on: what it writes, and how long it runs.
+bool may_change(const std::string& key) {
+  return key == "title" || key == "time.end" || key.starts_with("output.") ||
+         key.starts_with("checkpoint.");
+}
+
+Settings fixed_settings(const std::string& text, const std::string& name) {
+  Settings settings = settings_of(parse_text(text, name));
+  std::erase_if(settings, [](const auto& setting) { return may_change(setting.first); });
+  return settings;
+}
+
+/// The newest sound checkpoint of a run; damaged ones are told of.
+std::string newest_of(const std::string& directory) {
+  std::vector<std::string> damaged;
+  const std::string path = Checkpoints(directory, 1).newest(damaged);
+  for (const std::string& sentence : damaged)
+    fmt::print(stderr, "washtub: {}; falling back to {}\n", sentence, path);
+  return path;
+}
+
+void check_case(const std::string& checkpoint, const Case& whole) {
+  const CheckpointLabel label = read_label(checkpoint);
+  const auto differing = differences(fixed_settings(label.case_text, checkpoint),
+                                     fixed_settings(whole.resolved, "case"));
+  if (!differing.empty())
+    throw InputError(fmt::format(
+        "{}: is of another case: {}; only time.end, [output], [checkpoint] and the title may "
+        "change when a run goes on; to start another case from its water and cloth use --from",
+        checkpoint, fmt::join(differing, "; ")));
+  if (whole.time.end < label.time)
+    throw InputError(fmt::format("{}: is at t = {:.6g} s, beyond time.end = \"{:.6g} s\"",
+                                 checkpoint, label.time, whole.time.end));
+}
+
+/// Whether a directory has nothing to go on from and no finished results either.
+bool never_saved(const std::string& directory) {
+  return Checkpoints(directory, 1).list().empty() &&
+         !fs::exists(fs::path(directory) / "summary.json");
+}
+
+}  // namespace
+
+void settle_directory(RunArguments& arguments) {
+  std::string& path = arguments.input.path;
+  if (arguments.resume && fs::is_directory(path)) {
+    if (arguments.directory.empty()) arguments.directory = path;
+    path = (fs::path(path) / "case.toml").string();
+  }
+  if (arguments.directory.empty()) arguments.directory = default_directory(path);
+}
+
+void prepare_start(const RunArguments& arguments, const Case& whole, RunOptions& options) {
+  if (!arguments.from.empty())
+    options.developed =
+        fs::is_directory(arguments.from) ? newest_of(arguments.from) : arguments.from;
+  if (!options.developed.empty()) check_checkpoint(options.developed);
+  if (arguments.resume && never_saved(options.directory)) {
+    fmt::print(stderr, "washtub: {}: no checkpoint yet, starting from the beginning\n",
+               options.directory);
+    prepare_directory(options.directory, true);
+  } else if (arguments.resume) {
+    options.resumed = newest_of(options.directory);
+    check_case(options.resumed, whole);
+  } else {
+    protect_case(arguments.input.path, options.directory);
+    prepare_directory(options.directory, options.force);
+  }
+}
+
+}  // namespace washtub

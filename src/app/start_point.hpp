@@ -1,0 +1,19 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "record/run.hpp"
+
+namespace washtub {
+
+/// Where the results of a run go, and the case with them where a run goes on that is named by its
+/// directory alone.
+void settle_directory(RunArguments& arguments);
+
+/// Makes the directory of a new run ready, or finds the checkpoint to go on from; sets
+/// options.resumed and options.developed. What there is to say goes to stderr.
+/// @throws InputError where there is nothing to start from, or a checkpoint is of another case
+void prepare_start(const RunArguments& arguments, const Case& whole, RunOptions& options);
+
+}  // namespace washtub
