@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "base/vec.hpp"
@@ -51,6 +52,8 @@ struct GridPart {
 /// Lists are the same on all ranks, grids are shared out among them.
 class Archive {
  public:
+  /// `within`: what all names begin with, as in "flow/".
+  explicit Archive(std::string within = "") : prefix_(std::move(within)) {}
   virtual ~Archive() = default;
 
   /// Whether values are taken out of the archive and put into the object.

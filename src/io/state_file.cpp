@@ -109,7 +109,8 @@ void StateWriter::grid_values(const std::string& path, Number kind, void* data,
     failed(H5Dwrite(dataset, type_of(kind), in_memory, on_file, transfer, data));
 }
 
-StateReader::StateReader(const std::string& path) : path_(path), file_(open(path)) {
+StateReader::StateReader(const std::string& path, const std::string& within)
+    : Archive(within), path_(path), file_(open(path)) {
   if (file_ < 0) throw InputError(fmt::format("cannot read {}: {}", path, hdf5_error()));
 }
 

@@ -36,7 +36,7 @@ class StateWriter final : public Archive {
 class StateReader final : public Archive {
  public:
   /// @throws InputError where it is no such file
-  explicit StateReader(const std::string& path);
+  explicit StateReader(const std::string& path, const std::string& within = "");
   bool reading() const override { return true; }
 
  private:

@@ -44,7 +44,7 @@ std::string describe(const typename Simulation<D>::Step& s) {
 }
 
 std::unique_ptr<StateReader> open_state(const std::string& path) {
-  return path.empty() ? nullptr : std::make_unique<StateReader>(path);
+  return path.empty() ? nullptr : std::make_unique<StateReader>(path, "run/simulation/");
 }
 
 /// A run from its start or a checkpoint to its end, to the user's wish to stop, or to a failure.

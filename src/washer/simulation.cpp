@@ -62,7 +62,7 @@ void Simulation<D>::take_developed(Archive& developed) {
       archive.value("cloth", cloth);
     }
   } both{flow_, cloth_};
-  developed.value("simulation", both);
+  both.state(developed);
   flow_.restart();
   mapping_.still(flow_.velocity());
   mapping_.impose(flow_.velocity());

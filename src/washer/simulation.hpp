@@ -26,7 +26,7 @@ template <int D>
 class Simulation {
  public:
   /// Places the cloth at rest, and sets the water's velocity at t = 0.
-  /// With `developed`, the state of another simulation, water and cloth start as they are there;
+  /// With `developed`, an archive of another simulation's state, water and cloth start as they are there;
   /// time, solids and everything else are those of this case.
   /// @throws InputError where the cloth does not fit or the grid does not suit the ranks, or where
   /// the developed state has another grid or other cloth
