@@ -44,7 +44,7 @@ Coupling<D>::Coupling(Flow<D>& flow, Cloth<D>& cloth, const DomainMapping<D>& ma
 /// Where the water would carry the nodes, and how easily it is moved there.
 template <int D>
 void Coupling<D>::find_water(double dt) {
-  flow_.provisional(dt, provisional_);
+  flow_.provisional(provisional_);
   boundary_.mobility(flow_.openings(), flow_.density(), mobility_);
   boundary_.interpolate(provisional_, water_);
 }

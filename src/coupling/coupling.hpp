@@ -96,7 +96,7 @@ class Coupling {
   std::vector<std::unique_ptr<ClothSolver<D>>> solvers_;
   std::vector<std::vector<int>> mine_;  ///< pieces of each group that this rank solves
   std::vector<double> excess_;          ///< excess mass of each node [kg]
-  typename ImmersedBoundary<D>::Components provisional_;
+  Components<D> provisional_;
   Nodes next_, middle_, target_, free_, stiffness_, mobility_, carried_, water_;
   Broyden<D> broyden_;
   Nodes residual_;            ///< X - X^n - dt U [m]

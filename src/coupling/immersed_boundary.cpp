@@ -84,7 +84,7 @@ void ImmersedBoundary<D>::for_rows(const Stencil& s, int component, Visit&& visi
 }
 
 template <int D>
-void ImmersedBoundary<D>::spread(const std::vector<Vec<D>>& G, Components& f) const {
+void ImmersedBoundary<D>::spread(const std::vector<Vec<D>>& G, Components<D>& f) const {
   const double per_volume = 1 / grid_.mesh().cell_volume();
   const int n = grid_.mesh().cells[0];
   for (const int m : local_) {
@@ -142,7 +142,7 @@ void ImmersedBoundary<D>::gather(Value&& value, std::vector<Vec<D>>& U) const {
 }
 
 template <int D>
-void ImmersedBoundary<D>::interpolate(const Components& u, std::vector<Vec<D>>& U) const {
+void ImmersedBoundary<D>::interpolate(const Components<D>& u, std::vector<Vec<D>>& U) const {
   std::array<const double*, D> field;
   for (int d = 0; d < D; ++d) field[d] = u[d].data();
   gather([&](int c, long p) { return field[c][p]; }, U);

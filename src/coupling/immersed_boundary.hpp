@@ -24,8 +24,6 @@ enum class Reflection {
 template <int D>
 class ImmersedBoundary {
  public:
-  using Components = std::array<Field, D>;
-
   /// @param sides           those of the flow; how they reflect and how they move follows from it
   /// @param marker_spacing  largest distance between markers, in shortest cell edges
   ImmersedBoundary(const Grid<D>& grid, const Cloth<D>& cloth, Kernel kernel,
@@ -36,9 +34,9 @@ class ImmersedBoundary {
   void place(const std::vector<Vec<D>>& X);
 
   /// Adds the force density of nodal forces G [N] to f [N/m^3] on this rank's faces.
-  void spread(const std::vector<Vec<D>>& G, Components& f) const;
+  void spread(const std::vector<Vec<D>>& G, Components<D>& f) const;
   /// On return U holds the velocity [m/s] at every node, on all ranks.
-  void interpolate(const Components& u, std::vector<Vec<D>>& U) const;
+  void interpolate(const Components<D>& u, std::vector<Vec<D>>& U) const;
   /// Lumped mobility D_i [1/kg]: the velocity per impulse of node i when all nodes are pushed alike
   /// and closed faces do not give way.
   void mobility(const Openings<D>& openings, double density, std::vector<Vec<D>>& mobility);
@@ -85,7 +83,7 @@ class ImmersedBoundary {
   std::vector<Stencil> stencils_;
   std::vector<int> local_;  ///< markers whose delta function touches this rank's block
   std::vector<std::pair<int, Vec<D>>> given_;  ///< markers that moving sides drag along [m/s]
-  Components ones_;
+  Components<D> ones_;
   std::vector<Vec<D>> unit_;
 };
 

@@ -1,85 +1,79 @@
 #include "flow/flow.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace washtub {
+namespace {
+
+void require(bool holds, const char* what) {
+  if (!holds) throw std::logic_error(std::string("Flow::") + what);
+}
+
+}  // namespace
 
 template <int D>
 Flow<D>::Flow(const Grid<D>& grid, double density, double viscosity, const SidePairs<D>& sides,
               const Openings<D>& openings)
-    : grid_(grid),
-      density_(density),
-      viscosity_(viscosity),
-      conditions_(sides),
-      sides_(grid, sides),
-      passing_(grid, sides),
-      openings_(openings),
-      multigrid_(grid, density, openings.open),
-      pressure_before_(grid.make_field()) {
-  for (int d = 0; d < D; ++d) {
-    u_[d] = grid.make_field();
-    f_[d] = grid.make_field();
-    rhs_[d] = grid.make_field();
-    convection_[d] = grid.make_field();
-    if (openings.smooth) target_[d] = grid.make_field();
-  }
-  row_buffer_.resize(static_cast<std::size_t>(grid.block().width()) + 16);
-  for (int c = 0; c < 2; ++c)
-    for (std::size_t i = 0; i < row_buffer_.size(); ++i)
-      colour_[c].push_back(static_cast<int>(i & 1) == c ? 1.0 : 0.0);
-  refresh_ghosts();
-}
+    : water_(grid, density, viscosity, sides, openings),
+      projection_(water_),
+      prediction_(water_, projection_.multigrid()) {}
 
 template <int D>
-std::array<double*, D> Flow<D>::velocities() {
-  std::array<double*, D> u;
-  for (int d = 0; d < D; ++d) u[d] = u_[d].data();
-  return u;
-}
-
-template <int D>
-void Flow<D>::exchange_velocity() {
-  const auto u = velocities();
-  grid_.halo().exchange(std::span<double* const>(u));
-}
-
-template <int D>
-void Flow<D>::refresh_ghosts() {
-  exchange_velocity();
-  for (int c = 0; c < D; ++c) sides_.mirror(c, u_[c].data());
-}
-
-template <int D>
-void Flow<D>::keep_prediction() {
-  for (int d = 0; d < D; ++d) {
-    if (prediction_[d].size() == 0) prediction_[d] = grid_.make_field();
-    std::copy_n(u_[d].data(), u_[d].size(), prediction_[d].data());
-  }
-}
-
-template <int D>
-void Flow<D>::return_to_prediction() {
-  for (int d = 0; d < D; ++d) std::copy_n(prediction_[d].data(), u_[d].size(), u_[d].data());
+void Flow<D>::set_velocity(const std::function<Vec<D>(const Vec<D>&)>& field) {
+  require(step_ == 0, "set_velocity(): only before the first step");
+  water_.set_velocity(field);
 }
 
 template <int D>
 void Flow<D>::openings_changed(int k0, int k1, bool flipped) {
-  multigrid_.update(k0, k1);
-  if (flipped) steps_since_flip_ = -1;
-  const auto& block = grid_.block();
-  for (int k = k0; k < k1; ++k)
-    for (int j = 0; j < block.rows(); ++j) {  // nothing is left behind in cells now solid
-      const auto range = multigrid_.live(j, k);
-      const int begin = range.begin, end = range.end;
-      const auto clear = [&](Field& field) {
-        double* row = field.data() + block.row(j, k);
-        std::fill_n(row, begin, 0.0);
-        std::fill(row + end, row + block.width(), 0.0);
-      };
-      clear(multigrid_.pressure());
-      for (auto& c : convection_) clear(c);
-    }
+  require(stage_ == Stage::projected, "openings_changed(): only before predict(dt)");
+  projection_.openings_changed(k0, k1, flipped);
+  prediction_.openings_changed(k0, k1);
+}
+
+template <int D>
+void Flow<D>::predict(double dt) {
+  require(stage_ == Stage::projected, "predict(dt): the last prediction waits for project()");
+  step_before_ = step_;
+  step_ = dt;
+  water_.passing.advance(water_.velocities(), water_.openings.open, dt, water_.speed);
+  water_.exchange();  // solids may have moved since, and with them the faces they close
+  prediction_.advance(dt, step_before_, projection_.warm_start().gradient_holds());
+  stage_ = Stage::predicted;
+  has_kept_ = false;
+}
+
+template <int D>
+void Flow<D>::provisional(Components<D>& out) const {
+  require(stage_ != Stage::projected, "provisional(): only after predict(dt)");
+  projection_.provisional(step_, out);
+}
+
+template <int D>
+void Flow<D>::keep_prediction() {
+  require(stage_ == Stage::predicted, "keep_prediction(): only between predict(dt) and project()");
+  for (int d = 0; d < D; ++d) {
+    if (kept_[d].size() == 0) kept_[d] = grid().make_field();
+    std::copy_n(water_.u[d].data(), water_.u[d].size(), kept_[d].data());
+  }
+  has_kept_ = true;
+}
+
+template <int D>
+void Flow<D>::return_to_prediction() {
+  require(has_kept_, "return_to_prediction(): no keep_prediction() in this step");
+  for (int d = 0; d < D; ++d) std::copy_n(kept_[d].data(), kept_[d].size(), water_.u[d].data());
+  if (stage_ == Stage::projected) stage_ = Stage::returned;
+}
+
+template <int D>
+typename Flow<D>::Report Flow<D>::project(double tolerance, int max_cycles) {
+  require(stage_ != Stage::projected, "project(): only after predict(dt)");
+  const bool again = stage_ == Stage::returned;
+  stage_ = Stage::projected;
+  return projection_.project(step_, {tolerance, max_cycles}, again);
 }
 
 template <int D>

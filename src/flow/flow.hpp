@@ -1,28 +1,17 @@
 #pragma once
-#include <array>
-#include <functional>
-
-#include "flow/passing_water.hpp"
-#include "flow/pressure/multigrid.hpp"
-#include "flow/sides.hpp"
-#include "grid/grid.hpp"
+#include "flow/fields.hpp"
+#include "flow/prediction.hpp"
+#include "flow/projection.hpp"
 
 namespace washtub {
 
-/// How solids stand in the grid, as the flow needs to know it.
-template <int D>
-struct Openings {
-  std::array<const float*, D> open;  ///< open fraction of each face, ghosts included
-  bool smooth = false;               ///< open fractions between 0 and 1 occur
-};
-
-/// Incompressible Navier-Stokes on the MAC grid, Eqs. (1)-(2): Adams-Bashforth 3/2 convection in
-/// divergence form, Crank-Nicolson viscosity, projection. One step is
-///   predict(dt)  ->  (spread a force into force())  ->  project(dt).
+/// Incompressible Navier-Stokes on the MAC grid, Eqs. (1)-(2). One step is
+///   predict(dt)  ->  (spread a force into force())  ->  project().
+/// Calls in any other order throw std::logic_error.
 template <int D>
 class Flow {
  public:
-  using Components = std::array<Field, D>;
+  using Report = typename Projection<D>::Report;
 
   /// @throws InputError when water enters through a side and none lets it out.
   Flow(const Grid<D>& grid, double density, double viscosity, const SidePairs<D>& sides,
@@ -33,21 +22,24 @@ class Flow {
   /// first step. To be called before that step. `field`: position [m] -> velocity [m/s].
   void set_velocity(const std::function<Vec<D>(const Vec<D>&)>& field);
 
-  Components& velocity() { return u_; }
-  const Components& velocity() const { return u_; }
+  Components<D>& velocity() { return water_.u; }
+  const Components<D>& velocity() const { return water_.u; }
   /// Force density of the cloth on the water [N/m^3], kept from step to step.
-  Components& force() { return f_; }
-  const Components& force() const { return f_; }
+  Components<D>& force() { return water_.f; }
+  const Components<D>& force() const { return water_.f; }
   /// Solid velocity on partly open faces; present with smooth openings only [m/s].
-  Components& target() { return target_; }
-  const Field& pressure() const { return multigrid_.pressure(); }  ///< [Pa]
-  const Openings<D>& openings() const { return openings_; }
-  const Multigrid<D>& multigrid() const { return multigrid_; }
-  double density() const { return density_; }
-  double viscosity() const { return viscosity_; }
-  const Grid<D>& grid() const { return grid_; }
+  Components<D>& target() { return water_.target; }
+  const Field& pressure() const { return multigrid().pressure(); }  ///< [Pa]
+  const Openings<D>& openings() const { return water_.openings; }
+  const Multigrid<D>& multigrid() const { return projection_.multigrid(); }
+  double density() const { return water_.density; }
+  double viscosity() const { return water_.viscosity; }
+  const Grid<D>& grid() const { return water_.grid; }
+  double step() const { return step_; }                ///< given to the last predict() [s]
+  double step_before() const { return step_before_; }  ///< to the one before, 0 if none [s]
 
   /// Open fractions changed in the planes [k0, k1) of this rank; `flipped` if some did at once.
+  /// Between steps.
   void openings_changed(int k0, int k1, bool flipped);
 
   /// On return velocity() holds u* = u + dt (convection + viscosity), without pressure and force,
@@ -56,26 +48,20 @@ class Flow {
   /// that walls keep their velocity with it; on return it is taken out again.
   void predict(double dt);
 
+  /// Writes u* + dt/rho (f - grad p) with the force and pressure of the step before into `out`:
+  /// what the velocity would become if neither changed. Between predict() and project(), faces of
+  /// this rank only.
+  void provisional(Components<D>& out) const;
+
   /// Keeps u*, to be called between predict() and project().
   void keep_prediction();
-  /// Brings back the u* that was kept, so that project() can follow again with another force(). It
-  /// then starts from the last pressure.
+  /// Brings back the u* that was kept in this step, so that project() can follow again with another
+  /// force(). It then starts from the last pressure.
   void return_to_prediction();
 
-  /// Writes u* + dt/rho (f - grad p) with the force and pressure of the step before into `out`:
-  /// what the velocity would become if neither changed. Faces of this rank only.
-  void provisional(double dt, Components& out) const;
-
-  struct Report {
-    SolveReport pressure;
-    double divergence = 0;  ///< bound of |div u| h / U after the projection
-    double speed = 0;       ///< largest |u| component on faces [m/s]
-    double courant = 0;     ///< largest sum over axes of |u_d| / h_d [1/s]
-    double kinetic = 0;     ///< kinetic energy of the water [J] (per metre in 2-D)
-  };
   /// On return |div u| h <= tolerance U in every fluid cell and velocity() is u at the new time,
   /// ghosts current. The pressure includes the reaction to force().
-  Report project(double dt, double tolerance, int max_cycles);
+  Report project(double tolerance, int max_cycles);
 
   /// Forgets pressure, force and the steps so far; the velocity stays.
   void restart();
@@ -83,49 +69,23 @@ class Flow {
   void state(Archive& archive);
 
   /// Ghosts of the velocity from other ranks and from the sides (after setting an initial state).
-  void refresh_ghosts();
+  void refresh_ghosts() { water_.refresh_ghosts(); }
 
  private:
-  /// Weights of the right-hand side of the viscous solve.
-  struct Weights {
-    double now, before;  ///< of the convection of this step and the one before [s]
-    double push;         ///< dt/rho of the last pressure gradient, or 0 [m^3 s/kg]
+  /// What velocity() is.
+  enum class Stage {
+    projected,  ///< u of a whole number of steps
+    predicted,  ///< u*
+    returned,   ///< u*, after a projection of this step
   };
-  /// First guess of the pressure: a p + b p_before; `keep_before`: leave p_before as it is.
-  struct Guess {
-    double last, before;
-    bool keep_before;
-  };
-  std::array<double*, D> velocities();
-  template <int c, bool pushed>
-  void predict_row(int j, int k, const Weights& weights);
-  void predict_rows(int j, int k, const Weights& weights);
-  void take_push_back(int j, int k, double push);
-  void relax_row(int c, int j, int k, int colour, double omega);
-  void exchange_velocity();
-  double add_force_row(int j, int k, double dt);
-  Guess first_guess() const;
-  void start_pressure_row(int j, int k, double dt, const Guess& guess);
-  void correct_row(int j, int k, double dt, Report& report);
 
-  const Grid<D>& grid_;
-  double density_, viscosity_;
-  SidePairs<D> conditions_;
-  Sides<D> sides_;
-  PassingWater<D> passing_;
-  Openings<D> openings_;
-  Multigrid<D> multigrid_;
-  Components u_, f_, rhs_, convection_, target_;
-  Components prediction_;  ///< allocated by the first keep_prediction()
-  Field pressure_before_;
-  std::array<double, D> diffusion_{};  ///< nu dt / (2 h^2)
-  double last_step_ = 0;
-  double speed_ = 0;
-  int steps_since_flip_ = -1;  ///< the start counts as a flip: its pressure holds an impulse
-  bool forced_ = false;        ///< the last force was not zero everywhere
-  bool projected_ = false;     ///< this step's u* has had a projection already
-  std::vector<double> row_buffer_;
-  std::array<std::vector<double>, 2> colour_;
+  FlowFields<D> water_;
+  Projection<D> projection_;
+  Prediction<D> prediction_;
+  Components<D> kept_;     ///< u*; allocated by the first keep_prediction()
+  bool has_kept_ = false;  ///< the u* of this step
+  Stage stage_ = Stage::projected;
+  double step_ = 0, step_before_ = 0;
 };
 
 }  // namespace washtub

@@ -13,6 +13,10 @@ namespace washtub {
 
 using Field = Storage<double>;
 
+/// A vector field: component d lives on the faces normal to axis d.
+template <int D>
+using Components = std::array<Field, D>;
+
 /// How often each axis must be divisible by two on every rank, so that multigrid levels line up.
 template <int D>
 using Granularity = Index<D>;

@@ -175,7 +175,7 @@ void Simulation<D>::move_cloth_and_water(double dt) {
   flow_.predict(dt);                   // Eq. (1) without pressure and cloth
   if (coupling_) coupling_->push(dt);  // cloth solve; f = S F, Eq. (3)
   const auto project = [&] {
-    return flow_.project(dt, case_.solver.divergence, case_.solver.max_cycles);
+    return flow_.project(case_.solver.divergence, case_.solver.max_cycles);
   };
   auto flow = project();                                       // Eq. (2)
   while (coupling_ && coupling_->again(dt)) flow = project();  // with the force of a better X^n+1

@@ -83,7 +83,7 @@ struct FinTank {
     water.move_solids(dt);
     water.flow.predict(dt);
     coupling.push(dt);
-    do water.flow.project(dt, 1e-4, 60);
+    do water.flow.project(1e-4, 60);
     while (coupling.again(dt));
     return coupling.move(dt);
   }

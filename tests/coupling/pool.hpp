@@ -32,7 +32,7 @@ struct Pool {
     water.move_solids(dt);
     water.flow.predict(dt);
     coupling.push(dt);
-    do kinetic = water.flow.project(dt, tolerance, 60).kinetic;
+    do kinetic = water.flow.project(tolerance, 60).kinetic;
     while (coupling.again(dt));
     return coupling.move(dt);
   }

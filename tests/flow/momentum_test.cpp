@@ -68,11 +68,11 @@ Vec<D> carried_by(const WaterBox<D>& box, const std::array<std::vector<double>, 
 /// Friction on the body and the bulk force of what the viscous solve ended with: u*, or, once no
 /// face has flipped for two steps, u* with the last pressure.
 template <int D>
-std::pair<Vec<D>, Vec<D>> viscous_end(WaterBox<D>& box, double dt, bool calm) {
+std::pair<Vec<D>, Vec<D>> viscous_end(WaterBox<D>& box, bool calm) {
   box.flow.keep_prediction();
-  typename Flow<D>::Components pushed;
+  Components<D> pushed;
   for (auto& u : pushed) u = box.grid.make_field();
-  box.flow.provisional(dt, pushed);
+  box.flow.provisional(pushed);
   if (calm) {
     for (int d = 0; d < D; ++d)
       box.for_cells([&](const Index<D>&, long p) { box.flow.velocity()[d][p] = pushed[d][p]; });
@@ -113,10 +113,10 @@ Budget exact_budget(const WaterSetup<D>& setup, double dt, int steps) {
     const Vec<D> start = box.loads(0).friction.force;
     Vec<D> bulk = bulk_force(box);
     box.flow.predict(dt);
-    const auto [end, end_bulk] = viscous_end(box, dt, calm_steps >= 1);
+    const auto [end, end_bulk] = viscous_end(box, calm_steps >= 1);
     const Vec<D> friction = over_ranks<D>(box, start + end);
     bulk += end_bulk;
-    box.flow.project(dt, 1e-10, 60);
+    box.flow.project(1e-10, 60);
     ++calm_steps;
     const Vec<D> pressure = over_ranks<D>(box, box.loads(0).pressure.force);
     expected -= dt * (0.5 * (friction + bulk) + carried + pressure);
@@ -156,7 +156,7 @@ double end_of_step_error(int steps) {
     if (change.any) box.flow.openings_changed(0, box.grid.block().planes(), change.flipped);
     box.impose();
     box.flow.predict(dt);
-    box.flow.project(dt, 1e-8, 60);
+    box.flow.project(1e-8, 60);
     impulse = over_ranks<2>(box, impulse + dt * box.loads(0).total().force);
     gross += impulse.norm();
     expected -= impulse;

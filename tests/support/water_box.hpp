@@ -64,7 +64,7 @@ struct WaterBox {
   typename Flow<D>::Report step(double dt, double tolerance = 1e-4, int max_cycles = 60) {
     move_solids(dt);
     flow.predict(dt);
-    return flow.project(dt, tolerance, max_cycles);
+    return flow.project(tolerance, max_cycles);
   }
   WaterState<D> water() const {
     WaterState<D> w{{}, flow.pressure().data(), {}, flow.density(), flow.viscosity()};

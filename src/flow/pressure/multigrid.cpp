@@ -19,7 +19,7 @@ constexpr double stall = 0.5;  // a slower factor twice running calls for Krylov
 
 template <int D>
 Multigrid<D>::Multigrid(const Grid<D>& grid, double density, std::array<const float*, D> open)
-    : grid_(grid) {
+    : grid_(grid), krylov_(grid, finest_) {
   const auto& mesh = grid.mesh();
   finest_.allocate(grid.block());
   finest_.halo = Halo<D>(grid.comm(), grid.block(), mesh.periodic[0]);
@@ -33,9 +33,7 @@ Multigrid<D>::Multigrid(const Grid<D>& grid, double density, std::array<const fl
   std::array<int, D> ones, periods{};
   ones.fill(1);
   for (int d = 1; d < D; ++d) periods[d - 1] = mesh.periodic[d];
-  MPI_Comm self = MPI_COMM_NULL;
-  MPI_Cart_create(MPI_COMM_SELF, D - 1, ones.data(), periods.data(), 0, &self);
-  comms_.push_back(self);
+  MPI_Cart_create(MPI_COMM_SELF, D - 1, ones.data(), periods.data(), 0, &self_);
 
   Block<D> block = grid.block();
   bool whole = grid.parallel().size() == 1;
@@ -58,7 +56,7 @@ Multigrid<D>::Multigrid(const Grid<D>& grid, double density, std::array<const fl
       block = Block<D>(part.offset, part.count);
     }
     c.allocate(block);
-    c.halo = Halo<D>(whole ? self : grid.comm(), block, mesh.periodic[0]);
+    c.halo = Halo<D>(whole ? self_ : grid.comm(), block, mesh.periodic[0]);
     for (int d = 0; d < D; ++d) {
       c.g[d] = static_cast<float>(1.0 / (density * level.h[d] * level.h[d]));
       coarse_open_[l][d] = Storage<float>(static_cast<std::size_t>(block.size));
@@ -72,7 +70,7 @@ Multigrid<D>::Multigrid(const Grid<D>& grid, double density, std::array<const fl
 template <int D>
 Multigrid<D>::~Multigrid() {
   coarse_.clear();
-  for (auto& comm : comms_) MPI_Comm_free(&comm);
+  MPI_Comm_free(&self_);
 }
 
 template <int D>
@@ -100,6 +98,18 @@ void Multigrid<D>::update(int k0, int k1) {
     c.halo.exchange(std::span<float* const>(arrays));
     finish(c, k0 - 1, k1);
   }
+}
+
+template <int D>
+void Multigrid<D>::clear_solid(Field& field, int k0, int k1) const {
+  const auto& block = finest_.block;
+  for (int k = k0; k < k1; ++k)
+    for (int j = 0; j < block.rows(); ++j) {
+      const auto [begin, end] = live(j, k);
+      double* row = field.data() + block.row(j, k);
+      std::fill_n(row, begin, 0.0);
+      std::fill(row + end, row + block.width(), 0.0);
+    }
 }
 
 /// Open fractions of the coarse planes [K0, K1): mean of the fine faces that tile each coarse face.
@@ -244,7 +254,7 @@ SolveReport Multigrid<D>::solve(double tolerance, int max_cycles) {
     ++report.cycles;
     slow = report.residual > stall * before ? slow + 1 : 0;
     if (slow == 2 && report.residual > tolerance)
-      return solve_krylov(tolerance, report, max_cycles);
+      return krylov_.solve([this] { cycle_from_zero(); }, tolerance, report, max_cycles);
   }
   report.converged = report.residual <= tolerance;
   return report;

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "flow/pressure/conjugate_gradients.hpp"
 #include "flow/pressure/gather.hpp"
 #include "flow/pressure/hierarchy.hpp"
 #include "flow/pressure/level.hpp"
@@ -13,14 +14,6 @@ namespace washtub {
 /// Cells [begin, end) of a row.
 struct RowRange {
   int begin, end;
-};
-
-struct SolveReport {
-  int cycles = 0;
-  /// Largest |b - A p| over the live cells; of a pocket without way out, less its mean, which no
-  /// pressure can balance.
-  double residual = 0;
-  bool converged = false;
 };
 
 /// Geometric multigrid for the pressure of a partly solid box,
@@ -48,6 +41,8 @@ class Multigrid {
     const auto r = static_cast<std::size_t>(finest_.block.row_index(j, k));
     return {finest_.begin[r], finest_.end[r]};
   }
+  /// Zeroes a field outside the live ranges of the planes [k0, k1).
+  void clear_solid(Field& field, int k0, int k1) const;
   const float* inverse_diagonal() const { return finest_.inverse_diagonal.data(); }
 
   /// Improves pressure() until the residual is at most `tolerance` in every live cell.
@@ -69,9 +64,6 @@ class Multigrid {
   void coarsen_open(const Level<D, T>& fine, std::size_t coarse, int K0, int K1);
   void gather_source(std::size_t l);
   void cycle_from_zero();
-  SolveReport solve_krylov(double tolerance, SolveReport report, int max_cycles);
-  void apply(const double* in, double* out);
-  double dot(const double* a, const double* b) const;
 
   const Grid<D>& grid_;
   Level<D, double> finest_;
@@ -80,8 +72,8 @@ class Multigrid {
   std::size_t first_gathered_;
   std::unique_ptr<GatherBlocks<D>> gather_;
   std::vector<float> row_sum_;
-  std::vector<MPI_Comm> comms_;
-  std::array<Storage<double>, 4> krylov_;
+  MPI_Comm self_ = MPI_COMM_NULL;  ///< this rank alone, for levels that it holds whole
+  ConjugateGradients<D> krylov_;
 };
 
 }  // namespace washtub

@@ -1,7 +1,8 @@
+#include "flow/prediction.hpp"
+
 #include <algorithm>
 #include <cmath>
 
-#include "flow/flow.hpp"
 #include "grid/wavefront.hpp"
 
 namespace washtub {
@@ -15,8 +16,8 @@ struct Relaxation {
   int sweeps = 2;
 };
 
-Relaxation relaxation(double coupling) {
-  const double jacobi = coupling / (1 + coupling);
+Relaxation relaxation(double diffusion_number) {
+  const double jacobi = diffusion_number / (1 + diffusion_number);
   Relaxation r;
   r.omega = 2 / (1 + std::sqrt(1 - jacobi * jacobi));
   if (r.omega > 1 + 1e-9)
@@ -27,13 +28,31 @@ Relaxation relaxation(double coupling) {
 
 }  // namespace
 
+template <int D>
+Prediction<D>::Prediction(FlowFields<D>& water, const Multigrid<D>& multigrid)
+    : water_(water), multigrid_(multigrid) {
+  for (int d = 0; d < D; ++d) {
+    rhs_[d] = water.grid.make_field();
+    convection_[d] = water.grid.make_field();
+  }
+  row_buffer_.resize(static_cast<std::size_t>(water.grid.block().width()) + 16);
+  for (int c = 0; c < 2; ++c)
+    for (std::size_t i = 0; i < row_buffer_.size(); ++i)
+      colour_[c].push_back(static_cast<int>(i & 1) == c ? 1.0 : 0.0);
+}
+
+template <int D>
+void Prediction<D>::openings_changed(int k0, int k1) {
+  for (auto& c : convection_) multigrid_.clear_solid(c, k0, k1);
+}
+
 /// Right-hand side of the viscous solve for component c of one row:
 ///   u + now N(u^n) + before N(u^{n-1}) - push grad p + half of the viscous term,
 /// N = -div(u u) with arithmetic means on the edges of each momentum cell.
 template <int D>
 template <int c, bool pushed>
-void Flow<D>::predict_row(int j, int k, const Weights& weights) {
-  const auto& block = grid_.block();
+void Prediction<D>::start_row(int j, int k, const Weights& weights) {
+  const auto& block = water_.grid.block();
   const auto range = multigrid_.live(j, k);
   const int begin = range.begin, end = range.end;
   const long p = block.row(j, k);
@@ -42,15 +61,15 @@ void Flow<D>::predict_row(int j, int k, const Weights& weights) {
   s[0] = 1;
   std::array<double, D> q;
   for (int d = 0; d < D; ++d) {
-    u[d] = u_[d].data() + p;
-    q[d] = 0.25 / grid_.mesh().h[d];
+    u[d] = water_.u[d].data() + p;
+    q[d] = 0.25 / water_.grid.mesh().h[d];
   }
   const auto& nu = diffusion_;
   double* __restrict__ convection = convection_[c].data() + p;
   double* __restrict__ rhs = rhs_[c].data() + p;
   const double* v = u[c];
   const double now = weights.now, before = weights.before;
-  const double slope = weights.push / grid_.mesh().h[c];
+  const double slope = weights.push / water_.grid.mesh().h[c];
   const double* pressure = multigrid_.pressure().data() + p;
   const auto flux = [&](auto axis, int i) {
     constexpr int d = axis;
@@ -82,11 +101,11 @@ void Flow<D>::predict_row(int j, int k, const Weights& weights) {
 }
 
 template <int D>
-void Flow<D>::predict_rows(int j, int k, const Weights& weights) {
+void Prediction<D>::start_rows(int j, int k, const Weights& weights) {
   const auto all = [&](auto pushed) {
-    predict_row<0, pushed>(j, k, weights);
-    predict_row<1, pushed>(j, k, weights);
-    if constexpr (D == 3) predict_row<2, pushed>(j, k, weights);
+    start_row<0, pushed>(j, k, weights);
+    start_row<1, pushed>(j, k, weights);
+    if constexpr (D == 3) start_row<2, pushed>(j, k, weights);
   };
   if (weights.push > 0)
     all(std::true_type());
@@ -96,16 +115,16 @@ void Flow<D>::predict_rows(int j, int k, const Weights& weights) {
 
 /// u += push grad p on the open faces of a row.
 template <int D>
-void Flow<D>::take_push_back(int j, int k, double push) {
+void Prediction<D>::take_push_back(int j, int k, double push) {
   const auto range = multigrid_.live(j, k);
   const int begin = range.begin, end = range.end;
-  const long r = grid_.block().row(j, k);
+  const long r = water_.grid.block().row(j, k);
   const double* p = multigrid_.pressure().data() + r;
   for (int d = 0; d < D; ++d) {
-    double* __restrict__ u = u_[d].data() + r;
-    const float* open = openings_.open[d] + r;
-    const long s = grid_.block().stride[d];
-    const double slope = push / grid_.mesh().h[d];
+    double* __restrict__ u = water_.u[d].data() + r;
+    const float* open = water_.openings.open[d] + r;
+    const long s = water_.grid.block().stride[d];
+    const double slope = push / water_.grid.mesh().h[d];
 #pragma omp simd
     for (int i = begin; i < end; ++i) u[i] += slope * open[i] * (p[i] - p[i - s]);
   }
@@ -114,14 +133,14 @@ void Flow<D>::take_push_back(int j, int k, double push) {
 /// One colour of a Gauss-Seidel sweep for (1 - dt nu/2 laplace) u = rhs on a row; closed faces keep
 /// u_o, partly open ones mix both as Eq. (9) does with equal diagonals.
 template <int D>
-void Flow<D>::relax_row(int c, int j, int k, int colour, double omega) {
-  const auto& block = grid_.block();
+void Prediction<D>::relax_row(int c, int j, int k, int colour, double omega) {
+  const auto& block = water_.grid.block();
   const auto range = multigrid_.live(j, k);
   const int begin = range.begin, end = range.end;
   const long p = block.row(j, k);
-  double* x = u_[c].data() + p;
+  double* x = water_.u[c].data() + p;
   const double* rhs = rhs_[c].data() + p;
-  const float* open = openings_.open[c] + p;
+  const float* open = water_.openings.open[c] + p;
   const double* on = colour_[(block.parity(j, k) + colour) & 1].data();
   const long sy = block.stride[1], sz = block.stride[D - 1];
   const auto nu = diffusion_;
@@ -136,8 +155,8 @@ void Flow<D>::relax_row(int c, int j, int k, int colour, double omega) {
     if constexpr (D == 3) r += nu[D - 1] * (x[i + sz] - o + x[i - sz] - o);
     return r;
   };
-  if (openings_.smooth) {
-    const double* target = target_[c].data() + p;
+  if (water_.openings.smooth) {
+    const double* target = water_.target[c].data() + p;
 #pragma omp simd
     for (int i = begin; i < end; ++i)
       fresh[i] = x[i] + on[i] * (open[i] * weight * momentum(i) +
@@ -151,44 +170,42 @@ void Flow<D>::relax_row(int c, int j, int k, int colour, double omega) {
 }
 
 template <int D>
-void Flow<D>::predict(double dt) {
-  double coupling = 0;
+void Prediction<D>::advance(double dt, double before, bool held) {
+  const auto& grid = water_.grid;
+  double diffusion_number = 0;
   for (int d = 0; d < D; ++d) {
-    diffusion_[d] = viscosity_ / density_ * dt / (2 * grid_.mesh().h[d] * grid_.mesh().h[d]);
-    coupling += 2 * diffusion_[d];
+    diffusion_[d] =
+        water_.viscosity / water_.density * dt / (2 * grid.mesh().h[d] * grid.mesh().h[d]);
+    diffusion_number += 2 * diffusion_[d];
   }
-  const double ratio = last_step_ > 0 ? dt / last_step_ : 0;
-  const double push = steps_since_flip_ >= 1 && !forced_ ? dt / density_ : 0;
+  const double ratio = before > 0 ? dt / before : 0;
+  const double push = held ? dt / water_.density : 0;
   const Weights weights{dt * (1 + 0.5 * ratio), -0.5 * dt * ratio, push};
-  last_step_ = dt;
-  projected_ = false;
-  const Relaxation relax = relaxation(coupling);
+  const Relaxation relax = relaxation(diffusion_number);
   const int sweeps_end = 1 + 2 * relax.sweeps;
-  passing_.advance(velocities(), openings_.open, dt, speed_);
-  exchange_velocity();  // solids may have moved since, and with them the faces they close
   const auto stage = [&](int s, int k, int j0, int j1) {
     for (int j = j0; j < j1; ++j) {
       if (s == 0) {
-        predict_rows(j, k, weights);
+        start_rows(j, k, weights);
         continue;
       }
       if (s == sweeps_end) take_push_back(j, k, push);
       for (int c = 0; c < D; ++c) {
         if (s < sweeps_end) relax_row(c, j, k, (s - 1) & 1, relax.omega);
-        sides_.mirror_row(c, u_[c].data(), j, k);
-        grid_.halo().wrap_row(u_[c].data() + grid_.block().row(j, k));
+        water_.sides.mirror_row(c, water_.u[c].data(), j, k);
+        grid.halo().wrap_row(water_.u[c].data() + grid.block().row(j, k));
       }
     }
   };
   wavefront(
-      grid_.block(), grid_.halo(), sweeps_end + (push > 0 ? 1 : 0), stage,
+      grid.block(), grid.halo(), sweeps_end + (held ? 1 : 0), stage,
       [&](int s) {
-        if (s > 0) exchange_velocity();
+        if (s > 0) water_.exchange();
       },
       [](int) {});
 }
 
-template class Flow<2>;
-template class Flow<3>;
+template class Prediction<2>;
+template class Prediction<3>;
 
 }  // namespace washtub

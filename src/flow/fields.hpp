@@ -1,0 +1,46 @@
+#pragma once
+#include <functional>
+
+#include "flow/passing_water.hpp"
+#include "flow/sides.hpp"
+#include "grid/grid.hpp"
+
+namespace washtub {
+
+/// How solids stand in the grid, as the flow needs to know it.
+template <int D>
+struct Openings {
+  std::array<const float*, D> open;  ///< open fraction of each face, ghosts included
+  bool smooth = false;               ///< open fractions between 0 and 1 occur
+};
+
+/// The water that the parts of a Flow work on: what it is, where it may go, its fields.
+template <int D>
+struct FlowFields {
+  /// @throws InputError when water enters through a side and none lets it out.
+  FlowFields(const Grid<D>& grid, double density, double viscosity, const SidePairs<D>& sides,
+             const Openings<D>& openings);
+
+  /// See Flow::set_velocity().
+  void set_velocity(const std::function<Vec<D>(const Vec<D>&)>& field);
+  /// Ghosts of the velocity from other ranks.
+  void exchange();
+  /// Ghosts of the velocity from other ranks and from the sides.
+  void refresh_ghosts();
+  /// The values of u.
+  std::array<double*, D> velocities();
+
+  const Grid<D>& grid;
+  double density;    ///< [kg/m^3]
+  double viscosity;  ///< [Pa s]
+  SidePairs<D> conditions;
+  Sides<D> sides;
+  PassingWater<D> passing;
+  Openings<D> openings;
+  Components<D> u;       ///< [m/s]
+  Components<D> f;       ///< force density of the cloth on the water [N/m^3]
+  Components<D> target;  ///< solid velocity on partly open faces, with smooth openings only [m/s]
+  double speed = 0;      ///< largest velocity component at the end of the last step [m/s]
+};
+
+}  // namespace washtub

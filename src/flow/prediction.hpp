@@ -1,0 +1,46 @@
+#pragma once
+#include <vector>
+
+#include "flow/fields.hpp"
+#include "flow/pressure/multigrid.hpp"
+
+namespace washtub {
+
+/// Momentum without the force of this step: Adams-Bashforth 3/2 convection in divergence form and
+/// Crank-Nicolson viscosity. Keeps the convection of the step before.
+template <int D>
+class Prediction {
+ public:
+  /// @param multigrid  knows the cells in which water is, and the pressure
+  Prediction(FlowFields<D>& water, const Multigrid<D>& multigrid);
+
+  /// On return u = u* and its ghosts are current, see Flow::predict(). Ghosts have to be before.
+  /// @param dt      [s]
+  /// @param before  the step before, 0 in the first one [s]
+  /// @param held    the viscous solve holds the last pressure gradient
+  void advance(double dt, double before, bool held);
+
+  /// Forgets the convection in cells of the planes [k0, k1) that are now solid.
+  void openings_changed(int k0, int k1);
+
+ private:
+  /// Weights of the right-hand side of the viscous solve.
+  struct Weights {
+    double now, before;  ///< of the convection of this step and the one before [s]
+    double push;         ///< dt/rho of the last pressure gradient, or 0 [m^3 s/kg]
+  };
+  template <int c, bool pushed>
+  void start_row(int j, int k, const Weights& weights);
+  void start_rows(int j, int k, const Weights& weights);
+  void relax_row(int c, int j, int k, int colour, double omega);
+  void take_push_back(int j, int k, double push);
+
+  FlowFields<D>& water_;
+  const Multigrid<D>& multigrid_;
+  Components<D> rhs_, convection_;
+  std::array<double, D> diffusion_{};  ///< nu dt / (2 h^2)
+  std::vector<double> row_buffer_;
+  std::array<std::vector<double>, 2> colour_;  ///< 1 on the cells of a colour, else 0
+};
+
+}  // namespace washtub

@@ -1,0 +1,99 @@
+#include "flow/pressure/conjugate_gradients.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "flow/pressure/components.hpp"
+
+namespace washtub {
+
+template <int D>
+ConjugateGradients<D>::ConjugateGradients(const Grid<D>& grid, Level<D, double>& level)
+    : grid_(grid), level_(level) {}
+
+template <int D>
+template <class Visit>
+void ConjugateGradients<D>::for_rows(Visit&& visit) const {
+  for (int k = 0; k < level_.block.planes(); ++k)
+    for (int j = 0; j < level_.block.rows(); ++j) visit(LevelRow<D, double>(level_, j, k));
+}
+
+/// out = A in.
+template <int D>
+void ConjugateGradients<D>::apply(const double* in, double* out) {
+  level_.x.swap(aside_);
+  std::copy_n(in, level_.x.size(), level_.x.data());
+  level_.halo.exchange(level_.x.data());
+  for_rows([&](const LevelRow<D, double>& row) {
+    for (int i = row.begin; i < row.end; ++i) out[row.p + i] = row.b[i] - row.residual(i);
+  });
+  level_.x.swap(aside_);
+}
+
+template <int D>
+double ConjugateGradients<D>::dot(const double* a, const double* b) const {
+  double sum = 0;
+  for_rows([&](const LevelRow<D, double>& row) {
+    for (int i = row.begin; i < row.end; ++i) sum += a[row.p + i] * b[row.p + i];
+  });
+  return grid_.parallel().sum(sum);
+}
+
+template <int D>
+double ConjugateGradients<D>::largest_residual() const {
+  double largest = 0;
+  for_rows([&](const LevelRow<D, double>& row) {
+    for (int i = row.begin; i < row.end; ++i) largest = std::max(largest, std::abs(row.b[i]));
+  });
+  return grid_.parallel().max(largest);
+}
+
+/// One step along the preconditioned residual level.x, made conjugate to the step before, whose
+/// curvature is given; false if there is nowhere to go.
+template <int D>
+bool ConjugateGradients<D>::improve(double& curvature) {
+  const auto n = static_cast<long>(level_.x.size());
+  const double* z = level_.x.data();
+  double* r = level_.b.data();
+  const double beta = curvature > 0 ? -dot(z, image_.data()) / curvature : 0;
+  for (long i = 0; i < n; ++i) direction_[i] = z[i] + beta * direction_[i];
+  apply(direction_.data(), image_.data());
+  curvature = dot(direction_.data(), image_.data());
+  if (!(curvature > 0)) return false;
+  const double step = dot(direction_.data(), r) / curvature;
+  for (long i = 0; i < n; ++i) {
+    solution_[i] += step * direction_[i];
+    r[i] -= step * image_[i];
+  }
+  return true;
+}
+
+template <int D>
+SolveReport ConjugateGradients<D>::solve(const std::function<void()>& cycle, double tolerance,
+                                         SolveReport report, int max_cycles) {
+  const auto n = level_.x.size();
+  for (auto* a : {&solution_, &direction_, &image_, &aside_})
+    if (a->size() == 0) *a = Storage<double>(n);
+  remove_component_means(grid_, level_);
+  std::copy_n(level_.x.data(), n, solution_.data());
+  apply(solution_.data(), image_.data());
+  double* r = level_.b.data();  // from here on the right-hand side of the cycle is the residual
+  for (long i = 0; i < static_cast<long>(n); ++i) r[i] -= image_[i];
+  double curvature = 0;
+  report.residual = largest_residual();
+  while (report.residual > tolerance && report.cycles < max_cycles) {
+    cycle();
+    if (!improve(curvature)) break;
+    ++report.cycles;
+    report.residual = largest_residual();
+  }
+  std::copy_n(solution_.data(), n, level_.x.data());
+  level_.halo.exchange(level_.x.data());
+  report.converged = report.residual <= tolerance;
+  return report;
+}
+
+template class ConjugateGradients<2>;
+template class ConjugateGradients<3>;
+
+}  // namespace washtub

@@ -1,0 +1,184 @@
+#include "flow/projection.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grid/wavefront.hpp"
+
+namespace washtub {
+
+template <int D>
+Projection<D>::Projection(FlowFields<D>& water)
+    : water_(water),
+      multigrid_(water.grid, water.density, water.openings.open),
+      before_(water.grid.make_field()),
+      row_buffer_(static_cast<std::size_t>(water.grid.block().width()) + 16) {}
+
+template <int D>
+void Projection<D>::openings_changed(int k0, int k1, bool flipped) {
+  multigrid_.update(k0, k1);
+  multigrid_.clear_solid(multigrid_.pressure(), k0, k1);
+  if (flipped) warm_start_.flip();
+}
+
+template <int D>
+void Projection<D>::provisional(double dt, Components<D>& out) const {
+  const auto& block = water_.grid.block();
+  for (int k = 0; k < block.planes(); ++k)
+    for (int j = 0; j < block.rows(); ++j) {
+      const auto range = multigrid_.live(j, k);
+      const int begin = range.begin, end = range.end;
+      const long r = block.row(j, k);
+      const double* p = multigrid_.pressure().data() + r;
+      for (int d = 0; d < D; ++d) {
+        const double *u = water_.u[d].data() + r, *f = water_.f[d].data() + r;
+        const float* open = water_.openings.open[d] + r;
+        double* __restrict__ o = out[d].data() + r;
+        const long s = d == 0 ? 1 : block.stride[d];
+        const double a = dt / water_.density, per_h = 1 / water_.grid.mesh().h[d];
+        std::copy_n(u, begin, o);
+        std::copy(u + end, u + block.width(), o + end);
+#pragma omp simd
+        for (int i = begin; i < end; ++i)
+          o[i] = u[i] + a * open[i] * (f[i] - per_h * (p[i] - p[i - s]));
+      }
+    }
+}
+
+/// u += dt/rho f on the open faces of a row.
+template <int D>
+void Projection<D>::add_force_row(int j, int k, double dt, Extremes& largest) {
+  const auto range = multigrid_.live(j, k);
+  const int begin = range.begin, end = range.end;
+  const long r = water_.grid.block().row(j, k);
+  const double a = dt / water_.density;
+  double fastest = 0, strongest = 0;
+  for (int d = 0; d < D; ++d) {
+    double* u = water_.u[d].data() + r;
+    const double* f = water_.f[d].data() + r;
+    const float* open = water_.openings.open[d] + r;
+#pragma omp simd reduction(max : fastest, strongest)
+    for (int i = begin; i < end; ++i) {
+      strongest = std::max(strongest, std::abs(f[i]));
+      u[i] += a * open[i] * f[i];
+      fastest = std::max(fastest, std::abs(u[i]));
+    }
+    water_.grid.halo().wrap_row(u);
+  }
+  largest.speed = std::max(largest.speed, fastest);
+  largest.force = std::max(largest.force, strongest);
+}
+
+/// Source -div u / dt of the pressure in a row, and the first guess.
+template <int D>
+void Projection<D>::start_row(int j, int k, double dt, const WarmStart::Guess& guess, bool again) {
+  const auto& block = water_.grid.block();
+  const auto& h = water_.grid.mesh().h;
+  const auto range = multigrid_.live(j, k);
+  const int begin = range.begin, end = range.end;
+  const long r = block.row(j, k);
+  const double *ux = water_.u[0].data() + r, *uy = water_.u[1].data() + r,
+               *uz = water_.u[D - 1].data() + r;
+  const long sy = block.stride[1], sz = block.stride[D - 1];
+  const double ix = 1 / (h[0] * dt), iy = 1 / (h[1] * dt), iz = 1 / (h[D - 1] * dt);
+  const float* live = multigrid_.inverse_diagonal() + r;
+  double* __restrict__ b = multigrid_.source().data() + r;
+  double* __restrict__ p = multigrid_.pressure().data() + r;
+  double* __restrict__ old = before_.data() + r;
+#pragma omp simd
+  for (int i = begin; i < end; ++i) {
+    double divergence = (ux[i + 1] - ux[i]) * ix + (uy[i + sy] - uy[i]) * iy;
+    if constexpr (D == 3) divergence += (uz[i + sz] - uz[i]) * iz;
+    const double on = live[i] > 0 ? 1.0 : 0.0;
+    b[i] = -on * divergence;
+    const double last = p[i];
+    p[i] = on * (guess.last * last + guess.before * old[i]);
+    old[i] = again ? old[i] : last;
+  }
+}
+
+/// u -= dt/rho grad p on the faces of a row, with the largest speeds and the kinetic energy.
+template <int D>
+void Projection<D>::correct_row(int j, int k, double dt, Report& report) {
+  const auto& block = water_.grid.block();
+  const auto range = multigrid_.live(j, k);
+  const int begin = range.begin, end = range.end;
+  const long r = block.row(j, k);
+  const double* p = multigrid_.pressure().data() + r;
+  double* __restrict__ rate = row_buffer_.data();
+  for (int i = begin; i < end; ++i) rate[i] = 0;
+  for (int d = 0; d < D; ++d) {
+    double* u = water_.u[d].data() + r;
+    const float* open = water_.openings.open[d] + r;
+    const long s = d == 0 ? 1 : block.stride[d];
+    const double g = dt / (water_.density * water_.grid.mesh().h[d]),
+                 per_h = 1 / water_.grid.mesh().h[d];
+    double fastest = 0, squares = 0;
+#pragma omp simd reduction(max : fastest) reduction(+ : squares)
+    for (int i = begin; i < end; ++i) {
+      u[i] -= g * open[i] * (p[i] - p[i - s]);
+      const double a = std::abs(u[i]);
+      rate[i] += a * per_h;
+      fastest = std::max(fastest, a);
+      squares += open[i] * u[i] * u[i];
+    }
+    report.speed = std::max(report.speed, fastest);
+    report.kinetic += squares;
+  }
+  double courant = 0;
+#pragma omp simd reduction(max : courant)
+  for (int i = begin; i < end; ++i) courant = std::max(courant, rate[i]);
+  report.courant = std::max(report.courant, courant);
+}
+
+/// Adds the force and writes down the pressure problem; returns the largest speed that the water
+/// has or takes up.
+template <int D>
+double Projection<D>::start(double dt, bool again) {
+  const auto& grid = water_.grid;
+  if (!again) warm_start_.next_step();
+  const WarmStart::Guess guess = again ? WarmStart::Guess{1, 0} : warm_start_.guess();
+  Extremes largest{std::max(water_.speed, water_.passing.fastest_inflow()), 0};
+  wavefront(
+      grid.block(), grid.halo(), 1,
+      [&](int, int k, int j0, int j1) {
+        for (int j = j0; j < j1; ++j) add_force_row(j, k, dt, largest);
+      },
+      [&](int) { water_.exchange(); },
+      [&](int k) {
+        for (int j = 0; j < grid.block().rows(); ++j) start_row(j, k, dt, guess, again);
+      });
+  warm_start_.set_forced(grid.parallel().any(largest.force > 0));
+  return grid.parallel().max(largest.speed);
+}
+
+template <int D>
+void Projection<D>::correct(double dt, Report& report) {
+  const auto& block = water_.grid.block();
+  const auto& parallel = water_.grid.parallel();
+  for (int k = 0; k < block.planes(); ++k)
+    for (int j = 0; j < block.rows(); ++j) correct_row(j, k, dt, report);
+  water_.refresh_ghosts();
+  report.speed = parallel.max(report.speed);
+  report.courant = parallel.max(report.courant);
+  report.kinetic =
+      0.5 * water_.density * water_.grid.mesh().cell_volume() * parallel.sum(report.kinetic);
+}
+
+template <int D>
+typename Projection<D>::Report Projection<D>::project(double dt, const Accuracy& accuracy,
+                                                      bool again) {
+  const double speed = std::max(start(dt, again), 1e-30);
+  const double scale = water_.grid.mesh().h.maxCoeff() / speed;
+  Report report;
+  report.pressure = multigrid_.solve(accuracy.divergence / (scale * dt), accuracy.max_cycles);
+  report.divergence = report.pressure.residual * dt * scale;
+  correct(dt, report);
+  water_.speed = report.speed;
+  return report;
+}
+
+template class Projection<2>;
+template class Projection<3>;
+
+}  // namespace washtub

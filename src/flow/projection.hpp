@@ -1,0 +1,59 @@
+#pragma once
+#include <vector>
+
+#include "flow/fields.hpp"
+#include "flow/pressure/multigrid.hpp"
+#include "flow/warm_start.hpp"
+
+namespace washtub {
+
+/// Makes the velocity free of divergence by the pressure, Eq. (2).
+template <int D>
+class Projection {
+ public:
+  explicit Projection(FlowFields<D>& water);
+
+  struct Report {
+    SolveReport pressure;
+    double divergence = 0;  ///< bound of |div u| h / U after the projection
+    double speed = 0;       ///< largest |u| component on faces [m/s]
+    double courant = 0;     ///< largest sum over axes of |u_d| / h_d [1/s]
+    double kinetic = 0;     ///< kinetic energy of the water [J] (per metre in 2-D)
+  };
+  /// How well and how long to solve.
+  struct Accuracy {
+    double divergence;  ///< largest |div u| h / U
+    int max_cycles;
+  };
+  /// From u* to u of the new time, see Flow::project(). `again`: the last pressure was of the same
+  /// step, and the solve starts from it.
+  Report project(double dt, const Accuracy& accuracy, bool again);
+
+  /// u* + dt/rho (f - grad p) with what f and p are now, on the faces of this rank.
+  void provisional(double dt, Components<D>& out) const;
+
+  /// Takes up open fractions that changed in the planes [k0, k1) of this rank; `flipped` if some
+  /// did at once.
+  void openings_changed(int k0, int k1, bool flipped);
+
+  const Multigrid<D>& multigrid() const { return multigrid_; }
+  const WarmStart& warm_start() const { return warm_start_; }
+
+ private:
+  struct Extremes {
+    double speed, force;  ///< largest component [m/s, N/m^3]
+  };
+  void add_force_row(int j, int k, double dt, Extremes& largest);
+  void start_row(int j, int k, double dt, const WarmStart::Guess& guess, bool again);
+  void correct_row(int j, int k, double dt, Report& report);
+  double start(double dt, bool again);
+  void correct(double dt, Report& report);
+
+  FlowFields<D>& water_;
+  Multigrid<D> multigrid_;
+  Field before_;  ///< pressure of the step before [Pa]
+  WarmStart warm_start_;
+  std::vector<double> row_buffer_;
+};
+
+}  // namespace washtub
