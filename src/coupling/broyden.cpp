@@ -18,12 +18,13 @@ double dot(const Nodes& a, const Nodes& b) {
 
 template <int D>
 const typename Broyden<D>::Nodes& Broyden<D>::step(const Nodes& R) {
-  Nodes z(R.size());
+  if (count_ == static_cast<int>(steps_.size())) steps_.emplace_back(R.size());
+  Nodes& z = steps_[count_];
   for (std::size_t i = 0; i < R.size(); ++i) z[i] = -R[i];
-  for (std::size_t j = 0; j < steps_.size(); ++j) {
+  for (int j = 0; j < count_; ++j) {
     const Nodes& s = steps_[j];
     const double share = dot(s, z) / std::max(dot(s, s), 1e-300);
-    const bool last = j + 1 == steps_.size();
+    const bool last = j + 1 == count_;
     if (last) {
       const double divisor = std::abs(1 - share) > least ? 1 - share : 1;
       for (auto& v : z) v /= divisor;
@@ -31,8 +32,8 @@ const typename Broyden<D>::Nodes& Broyden<D>::step(const Nodes& R) {
       for (std::size_t i = 0; i < z.size(); ++i) z[i] += share * steps_[j + 1][i];
     }
   }
-  steps_.push_back(std::move(z));
-  return steps_.back();
+  ++count_;
+  return z;
 }
 
 template class Broyden<2>;

@@ -15,14 +15,16 @@ class Broyden {
   using Nodes = std::vector<Vec<D>>;
 
   /// Forgets the steps of the equation before.
-  void start() { steps_.clear(); }
+  void start() { count_ = 0; }
   /// Steps taken since then.
-  int count() const { return static_cast<int>(steps_.size()); }
-  /// What to add to the X at which the residual is R.
+  int count() const { return count_; }
+  /// What to add to the X at which the residual is R. Allocates only where more steps are taken
+  /// than ever before.
   const Nodes& step(const Nodes& R);
 
  private:
-  std::vector<Nodes> steps_;
+  std::vector<Nodes> steps_;  ///< the first count_ of them are of this equation
+  int count_ = 0;
 };
 
 }  // namespace washtub

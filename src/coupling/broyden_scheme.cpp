@@ -1,9 +1,10 @@
+#include "coupling/broyden_scheme.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "base/error.hpp"
-#include "coupling/coupling.hpp"
 
 namespace washtub {
 namespace {
@@ -18,29 +19,44 @@ constexpr int most_iterations = 12;
 
 }  // namespace
 
-/// The first guess of X^n+1: forward Euler with the velocity of the step before.
 template <int D>
-void Coupling<D>::start_iteration(double dt) {
-  flow_.keep_prediction();
-  broyden_.start();
-  for (std::size_t i = 0; i < next_.size(); ++i)
-    next_[i] = cloth_.position[i] + dt * cloth_.velocity[i];
-  find_elastic(next_);
-  find_implicit_inertia(dt, true);
+BroydenScheme<D>::BroydenScheme(CoupledStep<D>& step)
+    : step_(step), residual_(step.next.size(), Vec<D>::Zero()) {
+  for (const auto& g : step.cloth.groups)
+    spacing_.insert(spacing_.end(), static_cast<std::size_t>(g.nodes()),
+                    g.sheet.smallest_spacing());
 }
 
-/// R = X - X^n - dt U of the nodes that are not pinned; returns its largest size over what is
-/// allowed.
+/// Force of the cloth at `next`.
 template <int D>
-double Coupling<D>::find_residual(double dt) {
-  boundary_.interpolate(flow_.velocity(), water_);
-  for (const int node : pinned_) water_[static_cast<std::size_t>(node)].setZero();
+void BroydenScheme<D>::find_force() {
+  step_.find_elastic(step_.next);
+  for (int i = 0; i < step_.cloth.nodes(); ++i)
+    for (int c = 0; c < D; ++c) step_.excess.find(i, c, step_.next, step_.dt());
+  step_.add_up_force();
+}
+
+/// The first guess of X^n+1 is forward Euler with the velocity of the step before.
+template <int D>
+void BroydenScheme<D>::push() {
+  const double dt = step_.dt();
+  step_.flow.keep_prediction();
+  broyden_.start();
+  for (std::size_t i = 0; i < step_.next.size(); ++i)
+    step_.next[i] = step_.cloth.position[i] + dt * step_.cloth.velocity[i];
+  find_force();
+}
+
+/// R = X - X^n - dt U; returns its largest size over what is allowed.
+template <int D>
+double BroydenScheme<D>::find_residual() {
+  const double dt = step_.dt();
   double way = 0, largest = 0;
-  for (const auto& u : water_) way = std::max(way, dt * u.norm());
-  for (std::size_t i = 0; i < next_.size(); ++i) {
-    residual_[i] = next_[i] - cloth_.position[i] - dt * water_[i];
+  for (const auto& u : step_.water) way = std::max(way, dt * u.norm());
+  for (std::size_t i = 0; i < residual_.size(); ++i) {
+    residual_[i] = step_.next[i] - step_.cloth.position[i] - dt * step_.water[i];
     const double allowed =
-        std::clamp(slip_allowed * way, least_allowed * size_[i], strain_allowed * size_[i]);
+        std::clamp(slip_allowed * way, least_allowed * spacing_[i], strain_allowed * spacing_[i]);
     const double r = residual_[i].norm() / allowed;
     if (!(r <= largest)) largest = r;  // keeps what is not a number
   }
@@ -48,25 +64,22 @@ double Coupling<D>::find_residual(double dt) {
 }
 
 template <int D>
-bool Coupling<D>::again(double dt) {
-  if (scheme_ != Scheme::broyden) return false;
-  const double left = find_residual(dt);
+bool BroydenScheme<D>::again() {
+  const double left = find_residual();
   if (left <= 1) return false;
   if (!std::isfinite(left) || broyden_.count() == most_iterations)
     throw RunError("the Broyden iteration of the cloth did not converge in " +
                    std::to_string(most_iterations) +
                    " steps; try a smaller time.step, or coupling.scheme = \"implicit\"");
-  const Nodes& step = broyden_.step(residual_);
-  for (std::size_t i = 0; i < next_.size(); ++i) next_[i] += step[i];
-  report_.iterations = broyden_.count();
-  find_elastic(next_);
-  find_implicit_inertia(dt, true);
-  spread_force();
-  flow_.return_to_prediction();
+  const auto& step = broyden_.step(residual_);
+  for (std::size_t i = 0; i < step.size(); ++i) step_.next[i] += step[i];
+  step_.report.iterations = broyden_.count();
+  find_force();
+  step_.flow.return_to_prediction();
   return true;
 }
 
-template class Coupling<2>;
-template class Coupling<3>;
+template class BroydenScheme<2>;
+template class BroydenScheme<3>;
 
 }  // namespace washtub

@@ -8,47 +8,15 @@ namespace {
 
 constexpr double mobility_floor = 0.02;  // of that of a single cell
 
-template <int D>
-Reflection reflection(const Side<D>& side) {
-  using Kind = typename Side<D>::Kind;
-  switch (side.kind) {
-    case Kind::wall:
-    case Kind::inflow:
-      return Reflection::odd;
-    case Kind::slip:
-      return Reflection::even;
-    case Kind::periodic:
-      return Reflection::none;
-    default:
-      return Reflection::open;
-  }
-}
-
 }  // namespace
 
 template <int D>
 ImmersedBoundary<D>::ImmersedBoundary(const Grid<D>& grid, const Cloth<D>& cloth, Kernel kernel,
-                                      const std::array<std::array<Side<D>, 2>, D>& sides,
-                                      double marker_spacing)
+                                      const SidePairs<D>& sides, double marker_spacing)
     : grid_(grid),
-      cloth_(cloth),
-      kernel_(kernel),
-      spacing_(marker_spacing * grid.mesh().h.minCoeff()),
-      markers_(cloth, spacing_),
-      stencils_(static_cast<std::size_t>(markers_.count())),
+      stencils_(grid, cloth, kernel, sides, marker_spacing),
       unit_(cloth.position.size(), Vec<D>::Ones()) {
-  local_.reserve(stencils_.size());
   for (auto& o : ones_) o = grid.make_field();
-  for (int d = 0; d < D; ++d)
-    for (int side = 0; side < 2; ++side) {
-      const auto& s = sides[d][side];
-      sides_[d][side] = grid.mesh().periodic[d] ? Reflection::none : reflection(s);
-      Vec<D> u = Vec<D>::Zero();
-      if (sides_[d][side] == Reflection::odd) u = s.velocity;
-      if (s.kind == Side<D>::Kind::wall) u[d] = 0;
-      side_velocity_[d][side] = u;
-      moving_sides_ = moving_sides_ || u.norm() > 0;
-    }
 }
 
 /// The grid lines of `l` along an axis other than x that run through this rank.
@@ -87,12 +55,13 @@ template <int D>
 void ImmersedBoundary<D>::spread(const std::vector<Vec<D>>& G, Components<D>& f) const {
   const double per_volume = 1 / grid_.mesh().cell_volume();
   const int n = grid_.mesh().cells[0];
-  for (const int m : local_) {
+  const auto& markers = stencils_.markers();
+  for (const int m : stencils_.local()) {
     Vec<D> force = Vec<D>::Zero();
     for (int c = 0; c < Markers<D>::corners; ++c)
-      force += markers_.share(m)[c] * G[markers_.nodes(m)[c]];
+      force += markers.share(m)[c] * G[markers.nodes(m)[c]];
     force *= per_volume;
-    const auto& s = stencils_[static_cast<std::size_t>(m)];
+    const auto& s = stencils_[m];
     for (int c = 0; c < D; ++c) {
       const Line& x = s.along(0, c);
       double* field = f[c].data();
@@ -116,9 +85,10 @@ template <int D>
 template <class Value>
 void ImmersedBoundary<D>::gather(Value&& value, std::vector<Vec<D>>& U) const {
   const int n = grid_.mesh().cells[0];
+  const auto& markers = stencils_.markers();
   std::fill(U.begin(), U.end(), Vec<D>::Zero());
-  for (const int m : local_) {
-    const auto& s = stencils_[static_cast<std::size_t>(m)];
+  for (const int m : stencils_.local()) {
+    const auto& s = stencils_[m];
     Vec<D> u;
     for (int c = 0; c < D; ++c) {
       const Line& x = s.along(0, c);
@@ -135,8 +105,7 @@ void ImmersedBoundary<D>::gather(Value&& value, std::vector<Vec<D>>& U) const {
       u[c] = 0;
       for (int i = 0; i < kernel_points; ++i) u[c] += x.weight[i] * sum[i];
     }
-    for (int c = 0; c < Markers<D>::corners; ++c)
-      U[markers_.nodes(m)[c]] += markers_.share(m)[c] * u;
+    for (int c = 0; c < Markers<D>::corners; ++c) U[markers.nodes(m)[c]] += markers.share(m)[c] * u;
   }
   grid_.parallel().sum(std::span<double>(U.front().data(), U.size() * D));
 }
@@ -146,9 +115,10 @@ void ImmersedBoundary<D>::interpolate(const Components<D>& u, std::vector<Vec<D>
   std::array<const double*, D> field;
   for (int d = 0; d < D; ++d) field[d] = u[d].data();
   gather([&](int c, long p) { return field[c][p]; }, U);
-  for (const auto& [m, given] : given_)
+  const auto& markers = stencils_.markers();
+  for (const auto& [m, given] : stencils_.given())
     for (int c = 0; c < Markers<D>::corners; ++c)
-      U[markers_.nodes(m)[c]] += markers_.share(m)[c] * given;
+      U[markers.nodes(m)[c]] += markers.share(m)[c] * given;
 }
 
 template <int D>

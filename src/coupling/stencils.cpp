@@ -1,22 +1,59 @@
+#include "coupling/stencils.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "base/error.hpp"
-#include "coupling/immersed_boundary.hpp"
 
 namespace washtub {
 namespace {
 
 constexpr double reach = 2;  // half width of the widest delta function, in cells
 
+template <int D>
+Reflection reflection(const Side<D>& side) {
+  using Kind = typename Side<D>::Kind;
+  switch (side.kind) {
+    case Kind::wall:
+    case Kind::inflow:
+      return Reflection::odd;
+    case Kind::slip:
+      return Reflection::even;
+    case Kind::periodic:
+      return Reflection::none;
+    default:
+      return Reflection::open;
+  }
+}
+
 }  // namespace
+
+template <int D>
+Stencils<D>::Stencils(const Grid<D>& grid, const Cloth<D>& cloth, Kernel kernel,
+                      const SidePairs<D>& sides, double spacing)
+    : grid_(grid),
+      cloth_(cloth),
+      kernel_(kernel),
+      markers_(cloth, spacing * grid.mesh().h.minCoeff()),
+      stencils_(static_cast<std::size_t>(markers_.count())) {
+  local_.reserve(stencils_.size());
+  for (int d = 0; d < D; ++d)
+    for (int side = 0; side < 2; ++side) {
+      const auto& s = sides[d][side];
+      sides_[d][side] = grid.mesh().periodic[d] ? Reflection::none : reflection(s);
+      Vec<D> u = Vec<D>::Zero();
+      if (sides_[d][side] == Reflection::odd) u = s.velocity;
+      if (s.kind == Side<D>::Kind::wall) u[d] = 0;
+      side_velocity_[d][side] = u;
+      moving_sides_ = moving_sides_ || u.norm() > 0;
+    }
+}
 
 /// Weights along one axis. Points beyond a side are folded back onto the point they mirror, with
 /// what is left of the side's own velocity in `given`.
 template <int D>
-typename ImmersedBoundary<D>::Line ImmersedBoundary<D>::line(double x, int axis,
-                                                             bool on_faces) const {
+typename Stencils<D>::Line Stencils<D>::line(double x, int axis, bool on_faces) const {
   const auto& mesh = grid_.mesh();
   const int n = mesh.cells[axis];
   double cells = (x - mesh.lower[axis]) / mesh.h[axis] - (on_faces ? 0.0 : 0.5);
@@ -47,7 +84,7 @@ typename ImmersedBoundary<D>::Line ImmersedBoundary<D>::line(double x, int axis,
 }
 
 template <int D>
-bool ImmersedBoundary<D>::reaches_block(const Stencil& s) const {
+bool Stencils<D>::reaches_block(const Stencil& s) const {
   const auto& block = grid_.block();
   for (int d = 1; d < D; ++d) {
     if (grid_.ranks()[d] == 1) continue;
@@ -65,7 +102,7 @@ bool ImmersedBoundary<D>::reaches_block(const Stencil& s) const {
 
 /// What the sides' own velocities add to that of a marker, taking one axis after the other.
 template <int D>
-Vec<D> ImmersedBoundary<D>::given(const Stencil& s) const {
+Vec<D> Stencils<D>::drag(const Stencil& s) const {
   Vec<D> u = Vec<D>::Zero();
   for (int c = 0; c < D; ++c)
     for (int d = 0; d < D; ++d) {
@@ -78,7 +115,7 @@ Vec<D> ImmersedBoundary<D>::given(const Stencil& s) const {
 }
 
 template <int D>
-void ImmersedBoundary<D>::keep_off_open_sides(const Vec<D>& x, int marker) const {
+void Stencils<D>::keep_off_open_sides(const Vec<D>& x, int marker) const {
   const auto& mesh = grid_.mesh();
   for (int d = 0; d < D; ++d)
     for (int side = 0; side < 2; ++side) {
@@ -97,7 +134,7 @@ void ImmersedBoundary<D>::keep_off_open_sides(const Vec<D>& x, int marker) const
 }
 
 template <int D>
-void ImmersedBoundary<D>::place(const std::vector<Vec<D>>& X) {
+void Stencils<D>::place(const std::vector<Vec<D>>& X) {
   local_.clear();
   given_.clear();
   for (int m = 0; m < markers_.count(); ++m) {
@@ -107,19 +144,19 @@ void ImmersedBoundary<D>::place(const std::vector<Vec<D>>& X) {
           "the place of the cloth is no longer finite; try a smaller time.step, or coupling.scheme "
           "= \"implicit\"");
     keep_off_open_sides(x, m);
-    auto& s = stencils_[static_cast<std::size_t>(m)];
+    auto& s = stencils_[m];
     for (int d = 0; d < D; ++d) {
       s.face[d] = line(x[d], d, true);
       s.centre[d] = line(x[d], d, false);
     }
     if (reaches_block(s)) local_.push_back(m);
     if (!moving_sides_) continue;
-    const Vec<D> u = given(s);
+    const Vec<D> u = drag(s);
     if (u != Vec<D>::Zero()) given_.emplace_back(m, u);
   }
 }
 
-template class ImmersedBoundary<2>;
-template class ImmersedBoundary<3>;
+template class Stencils<2>;
+template class Stencils<3>;
 
 }  // namespace washtub

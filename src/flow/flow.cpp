@@ -28,14 +28,14 @@ void Flow<D>::set_velocity(const std::function<Vec<D>(const Vec<D>&)>& field) {
 
 template <int D>
 void Flow<D>::openings_changed(int k0, int k1, bool flipped) {
-  require(stage_ == Stage::projected, "openings_changed(): only before predict(dt)");
+  require(!predicted(), "openings_changed(): only before predict(dt)");
   projection_.openings_changed(k0, k1, flipped);
   prediction_.openings_changed(k0, k1);
 }
 
 template <int D>
 void Flow<D>::predict(double dt) {
-  require(stage_ == Stage::projected, "predict(dt): the last prediction waits for project()");
+  require(!predicted(), "predict(dt): the last prediction waits for project()");
   step_before_ = step_;
   step_ = dt;
   water_.passing.advance(water_.velocities(), water_.openings.open, dt, water_.speed);
@@ -47,7 +47,7 @@ void Flow<D>::predict(double dt) {
 
 template <int D>
 void Flow<D>::provisional(Components<D>& out) const {
-  require(stage_ != Stage::projected, "provisional(): only after predict(dt)");
+  require(predicted(), "provisional(): only after predict(dt)");
   projection_.provisional(step_, out);
 }
 
@@ -65,12 +65,12 @@ template <int D>
 void Flow<D>::return_to_prediction() {
   require(has_kept_, "return_to_prediction(): no keep_prediction() in this step");
   for (int d = 0; d < D; ++d) std::copy_n(kept_[d].data(), kept_[d].size(), water_.u[d].data());
-  if (stage_ == Stage::projected) stage_ = Stage::returned;
+  if (!predicted()) stage_ = Stage::returned;
 }
 
 template <int D>
 typename Flow<D>::Report Flow<D>::project(double tolerance, int max_cycles) {
-  require(stage_ != Stage::projected, "project(): only after predict(dt)");
+  require(predicted(), "project(): only after predict(dt)");
   const bool again = stage_ == Stage::returned;
   stage_ = Stage::projected;
   return projection_.project(step_, {tolerance, max_cycles}, again);

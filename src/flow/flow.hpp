@@ -35,6 +35,7 @@ class Flow {
   double density() const { return water_.density; }
   double viscosity() const { return water_.viscosity; }
   const Grid<D>& grid() const { return water_.grid; }
+  bool predicted() const { return stage_ != Stage::projected; }  ///< project() is due
   double step() const { return step_; }                ///< given to the last predict() [s]
   double step_before() const { return step_before_; }  ///< to the one before, 0 if none [s]
 

@@ -3,8 +3,8 @@
 namespace washtub {
 
 /// What the pressures of the last two steps are worth. A face that opens or closes at once kicks
-/// the pressure by O(1/dt), and then an extrapolated pressure is worse than none; so do the start,
-/// whose pressure holds an impulse, and, where the next velocity is concerned, a force.
+/// the pressure by O(1/dt), and then an extrapolated one is worse than none. The start counts as
+/// such a flip, since its pressure holds an impulse.
 class WarmStart {
  public:
   /// First guess of a pressure: last p + before p_before.
@@ -24,7 +24,8 @@ class WarmStart {
     if (steps_ >= 3) return {2, -1};
     return {steps_ == 2 ? 1.0 : 0.0, 0};
   }
-  /// Whether the last pressure gradient will about go on in the next step.
+  /// Whether the next step may count on the last pressure gradient: no flip for two steps, and no
+  /// force, which the gradient would have to follow.
   bool gradient_holds() const { return steps_ >= 1 && !forced_; }
 
  private:

@@ -44,8 +44,8 @@ typename Side<D>::Kind side_kind(SideKind kind) {
 }  // namespace
 
 template <int D>
-std::array<std::array<Side<D>, 2>, D> build_sides(const Case& whole) {
-  std::array<std::array<Side<D>, 2>, D> sides;
+SidePairs<D> build_sides(const Case& whole) {
+  SidePairs<D> sides;
   for (int d = 0; d < D; ++d)
     for (int s = 0; s < 2; ++s) {
       const auto& side = whole.domain.sides[2 * d + s];
@@ -140,8 +140,8 @@ void check_build(const Case& whole) {
 
 template Mesh<2> build_mesh<2>(const Case&);
 template Mesh<3> build_mesh<3>(const Case&);
-template std::array<std::array<Side<2>, 2>, 2> build_sides<2>(const Case&);
-template std::array<std::array<Side<3>, 2>, 3> build_sides<3>(const Case&);
+template SidePairs<2> build_sides<2>(const Case&);
+template SidePairs<3> build_sides<3>(const Case&);
 template Cloth<2> build_cloth<2>(const Case&);
 template Cloth<3> build_cloth<3>(const Case&);
 

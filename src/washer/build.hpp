@@ -12,7 +12,7 @@ namespace washtub {
 template <int D>
 Mesh<D> build_mesh(const Case& whole);
 template <int D>
-std::array<std::array<Side<D>, 2>, D> build_sides(const Case& whole);
+SidePairs<D> build_sides(const Case& whole);
 std::vector<Solid> build_solids(const Case& whole);
 /// gamma of Eq. (11) [m]; 0 for the sharp mapping.
 double smooth_width(const Case& whole);

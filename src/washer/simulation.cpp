@@ -172,14 +172,14 @@ void Simulation<D>::move_solids(double dt) {
 /// The paper's equations in the order in which they are solved.
 template <int D>
 void Simulation<D>::move_cloth_and_water(double dt) {
-  flow_.predict(dt);                   // Eq. (1) without pressure and cloth
-  if (coupling_) coupling_->push(dt);  // cloth solve; f = S F, Eq. (3)
+  flow_.predict(dt);                 // Eq. (1) without pressure and cloth
+  if (coupling_) coupling_->push();  // cloth solve; f = S F, Eq. (3)
   const auto project = [&] {
     return flow_.project(case_.solver.divergence, case_.solver.max_cycles);
   };
-  auto flow = project();                                       // Eq. (2)
-  while (coupling_ && coupling_->again(dt)) flow = project();  // with the force of a better X^n+1
-  if (coupling_) last_.cloth = coupling_->move(dt);            // dX/dt = U, Eqs. (5), (6)
+  auto flow = project();                                     // Eq. (2)
+  while (coupling_ && coupling_->again()) flow = project();  // with the force of a better X^n+1
+  if (coupling_) last_.cloth = coupling_->move();            // dX/dt = U, Eqs. (5), (6)
 
   last_.pressure = flow.pressure;
   last_.divergence = flow.divergence;

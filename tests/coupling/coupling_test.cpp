@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "cloth/plate.hpp"
 #include "coupling/pool.hpp"
@@ -82,10 +83,10 @@ struct FinTank {
   Coupling<2>::Report step(double dt) {
     water.move_solids(dt);
     water.flow.predict(dt);
-    coupling.push(dt);
+    coupling.push();
     do water.flow.project(1e-4, 60);
-    while (coupling.again(dt));
-    return coupling.move(dt);
+    while (coupling.again());
+    return coupling.move();
   }
   /// Largest psi of the fin over the nodes [m].
   double deepest() const {
@@ -102,6 +103,25 @@ class AnyScheme : public ::testing::TestWithParam<Scheme> {};
 INSTANTIATE_TEST_SUITE_P(Coupling, AnyScheme,
                          ::testing::Values(Scheme::implicit, Scheme::explicit_euler,
                                            Scheme::broyden));
+
+TEST_P(AnyScheme, CallsOutOfOrderAreRefused) {
+  Pool<2> pool(square(), 1, stretched_thread(1.1), GetParam());
+  auto& water = pool.water;
+  auto& coupling = pool.coupling;
+  EXPECT_THROW(coupling.push(), std::logic_error) << "without a prediction";
+  for (int s = 0; s < 2; ++s) {
+    EXPECT_THROW(coupling.again(), std::logic_error);
+    EXPECT_THROW(coupling.move(), std::logic_error);
+    water.flow.predict(1e-3);
+    coupling.push();
+    EXPECT_THROW(coupling.push(), std::logic_error);
+    EXPECT_THROW(coupling.again(), std::logic_error) << "without a projection";
+    water.flow.project(1e-6, 60);
+    EXPECT_THROW(coupling.move(), std::logic_error) << "without asking whether it is enough";
+    while (coupling.again()) water.flow.project(1e-6, 60);
+    coupling.move();
+  }
+}
 
 TEST_P(AnyScheme, ClothGoesWithAUniformStream) {
   Pool<3> pool(wash_like(), 1, tilted_plate(table_4), GetParam());

@@ -30,8 +30,8 @@ Mesh<D> tank() {
 }
 
 template <int D>
-std::array<std::array<Side<D>, 2>, D> tank_sides() {
-  std::array<std::array<Side<D>, 2>, D> sides;
+SidePairs<D> tank_sides() {
+  SidePairs<D> sides;
   sides[D - 1][1].kind = Side<D>::Kind::slip;
   return sides;
 }
@@ -43,7 +43,7 @@ struct Tank {
   ImmersedBoundary<D> boundary;
 
   Tank(const Cloth<D>& cloth_, Kernel kernel, const Parallel& parallel = Parallel(),
-       const std::array<std::array<Side<D>, 2>, D>& sides = tank_sides<D>())
+       const SidePairs<D>& sides = tank_sides<D>())
       : grid(tank<D>(), parallel, granularity(tank<D>())),
         cloth(cloth_),
         boundary(grid, cloth, kernel, sides) {
@@ -212,7 +212,7 @@ TEST(ImmersedBoundary, SpreadsAnyNumberOfPeriodsAway) {
 namespace {
 
 /// Sides that move along themselves or let water in.
-std::array<std::array<Side<2>, 2>, 2> driven_sides() {
+SidePairs<2> driven_sides() {
   using Kind = Side<2>::Kind;
   return {{{Side<2>{Kind::inflow, {0.7, 0.2}}, {Kind::inflow, {-0.4, 1.1}}},
            {Side<2>{Kind::wall, {0.3, 9}}, {Kind::wall, {1.5, 0}}}}};

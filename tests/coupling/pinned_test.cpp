@@ -69,10 +69,10 @@ TEST_P(Pinned, NodesMayBeInsideASolidAndTheirNeighboursNearIt) {
   for (int i = 0; i < 3; ++i) {
     water.move_solids(1e-3);
     water.flow.predict(1e-3);
-    coupling.push(1e-3);
+    coupling.push();
     water.flow.project(1e-4, 60);
-    EXPECT_FALSE(coupling.again(1e-3));
-    EXPECT_EQ(coupling.move(1e-3).barrier.touched, 0);
+    EXPECT_FALSE(coupling.again());
+    EXPECT_EQ(coupling.move().barrier.touched, 0);
   }
   for (std::size_t i = 0; i < 9; ++i) EXPECT_LT((cloth.position[i] - where[i]).norm(), 1e-12);
 }

@@ -31,10 +31,10 @@ struct Pool {
   typename Coupling<D>::Report step(double dt, double tolerance = 1e-6) {
     water.move_solids(dt);
     water.flow.predict(dt);
-    coupling.push(dt);
+    coupling.push();
     do kinetic = water.flow.project(tolerance, 60).kinetic;
-    while (coupling.again(dt));
-    return coupling.move(dt);
+    while (coupling.again());
+    return coupling.move();
   }
   double elastic() const {
     double w = 0;

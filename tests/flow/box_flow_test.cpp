@@ -9,7 +9,6 @@
 namespace washtub {
 namespace {
 
-using testing::BoxSides;
 using testing::cubic_mesh;
 using testing::WaterBox;
 using testing::WaterSetup;

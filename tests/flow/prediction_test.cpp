@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <numbers>
+#include <stdexcept>
 
 #include "support/wash_tub.hpp"
 
@@ -112,6 +113,53 @@ TEST(Prediction, RepeatedProjectionStartsFromTheLastPressure) {
     box->flow.project(1e-6, 60);
     box->flow.return_to_prediction();
     EXPECT_EQ(box->flow.project(1.01e-6, 60).pressure.cycles, 0) << "step " << s;
+  }
+}
+
+/// Calls out of order are refused and leave the flow as it was.
+TEST(Prediction, CallsOutOfOrderAreRefused) {
+  const auto box = square_box(0.01);
+  auto& flow = box->flow;
+  Components<2> out{box->grid.make_field(), box->grid.make_field()};
+  const auto too_early = [&] {
+    EXPECT_THROW(flow.project(1e-6, 60), std::logic_error);
+    EXPECT_THROW(flow.provisional(out), std::logic_error);
+    EXPECT_THROW(flow.keep_prediction(), std::logic_error);
+    EXPECT_THROW(flow.return_to_prediction(), std::logic_error);
+  };
+  for (int s = 0; s < 2; ++s) {
+    too_early();
+    flow.openings_changed(0, box->grid.block().planes(), false);
+    flow.predict(0.01);
+    EXPECT_THROW(flow.predict(0.01), std::logic_error);
+    EXPECT_THROW(flow.openings_changed(0, 1, true), std::logic_error);
+    EXPECT_THROW(flow.return_to_prediction(), std::logic_error);
+    flow.keep_prediction();
+    flow.project(1e-6, 60);
+    EXPECT_THROW(flow.set_velocity(square_vortex), std::logic_error);
+    EXPECT_THROW(flow.keep_prediction(), std::logic_error);
+    flow.return_to_prediction();
+    EXPECT_THROW(flow.keep_prediction(), std::logic_error);
+    flow.project(1e-6, 60);
+    flow.predict(0.01);  // what was kept in the step before is forgotten
+    EXPECT_THROW(flow.return_to_prediction(), std::logic_error);
+    flow.project(1e-6, 60);
+  }
+}
+
+/// One dt is given for a step, and the parts of it find it there.
+TEST(Prediction, StepIsThatOfThePrediction) {
+  const auto box = square_box(0.01);
+  auto& flow = box->flow;
+  EXPECT_EQ(flow.step(), 0);
+  for (const double dt : {0.01, 0.02, 0.005}) {
+    const double last = flow.step();
+    EXPECT_FALSE(flow.predicted());
+    flow.predict(dt);
+    EXPECT_TRUE(flow.predicted());
+    EXPECT_EQ(flow.step(), dt);
+    EXPECT_EQ(flow.step_before(), last);
+    flow.project(1e-6, 60);
   }
 }
 

@@ -30,8 +30,8 @@ inline std::vector<Solid> wash_solids(bool agitator) {
 }
 
 /// Floor and lateral sides at rest, perfect slip on top.
-inline std::array<std::array<Side<3>, 2>, 3> wash_sides() {
-  std::array<std::array<Side<3>, 2>, 3> sides;
+inline SidePairs<3> wash_sides() {
+  SidePairs<3> sides;
   sides[2][1].kind = Side<3>::Kind::slip;
   return sides;
 }

@@ -10,9 +10,6 @@
 namespace washtub::testing {
 
 template <int D>
-using BoxSides = std::array<std::array<Side<D>, 2>, D>;
-
-template <int D>
 Openings<D> openings(const DomainMapping<D>& mapping) {
   return {mapping.open(), mapping.smooth()};
 }
@@ -33,7 +30,7 @@ struct WaterSetup {
   std::vector<Solid> solids{};
   double density = 1, viscosity = 1;
   double gamma = 0;  ///< half width of the smooth mapping [m]
-  BoxSides<D> sides{};
+  SidePairs<D> sides{};
 };
 
 /// Water and solids in a box, moved together.

@@ -1,0 +1,45 @@
+#include "coupling/coupled_step.hpp"
+
+#include <algorithm>
+
+namespace washtub {
+
+template <int D>
+CoupledStep<D>::CoupledStep(Flow<D>& flow_, Cloth<D>& cloth_)
+    : flow(flow_), cloth(cloth_), excess(cloth_) {
+  for (const auto& g : cloth.groups)
+    for (int p = 0; p < g.pieces; ++p)
+      for (const int node : g.pinned) pinned.push_back(g.node(p, node));
+  for (auto* n : {&water, &mobility, &force, &next})
+    n->resize(cloth.position.size(), Vec<D>::Zero());
+}
+
+template <int D>
+void CoupledStep<D>::find_elastic(const Nodes& X) {
+  for (const auto& g : cloth.groups)
+    for (int p = 0; p < g.pieces; ++p) {
+      const auto first = static_cast<std::size_t>(g.node(p, 0));
+      const auto n = static_cast<std::size_t>(g.sheet.nodes());
+      g.sheet.force(std::span(X).subspan(first, n), std::span(cloth.elastic).subspan(first, n));
+    }
+}
+
+template <int D>
+void CoupledStep<D>::add_up_force() {
+  for (std::size_t i = 0; i < force.size(); ++i) force[i] = cloth.elastic[i] + excess.force()[i];
+}
+
+template <int D>
+void CoupledStep<D>::measure_strain() {
+  for (const auto& g : cloth.groups)
+    for (int p = 0; p < g.pieces; ++p) {
+      const auto piece = std::span<const Vec<D>>(next).subspan(
+          static_cast<std::size_t>(g.node(p, 0)), static_cast<std::size_t>(g.sheet.nodes()));
+      report.largest_strain = std::max(report.largest_strain, g.sheet.largest_strain(piece));
+    }
+}
+
+template struct CoupledStep<2>;
+template struct CoupledStep<3>;
+
+}  // namespace washtub

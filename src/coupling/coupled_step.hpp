@@ -1,0 +1,48 @@
+#pragma once
+#include <vector>
+
+#include "coupling/barrier.hpp"
+#include "coupling/excess_mass.hpp"
+#include "flow/flow.hpp"
+
+namespace washtub {
+
+/// What a coupled step found.
+template <int D>
+struct CouplingReport {
+  int iterations = 0;         ///< most Newton steps of any piece, or Broyden steps
+  double largest_strain = 0;  ///< |E| of any edge
+  double slip = 0;            ///< rms over the nodes not pinned of |V - S u| [m/s]
+  double leak = 0;            ///< rms over the pinned nodes of |S u| [m/s]
+  typename Barrier<D>::Report barrier;
+};
+
+/// The step of cloth and water under way, on which Coupling and its scheme work.
+template <int D>
+struct CoupledStep {
+  using Nodes = std::vector<Vec<D>>;
+
+  CoupledStep(Flow<D>& flow, Cloth<D>& cloth);
+
+  double dt() const { return flow.step(); }  ///< [s]
+  /// cloth.elastic = -dW/dX(X).
+  void find_elastic(const Nodes& X);
+  /// force = elastic force, weight and inertia, as they were found last.
+  void add_up_force();
+  /// Largest strain of the cloth at `next`, into the report.
+  void measure_strain();
+
+  Flow<D>& flow;
+  Cloth<D>& cloth;
+  ExcessMass<D> excess;
+  std::vector<int> pinned;  ///< nodes that never move
+  /// Velocity of the water at the nodes [m/s]: before the projection with the force and pressure of
+  /// the last step, then u^n+1, with 0 at pinned nodes.
+  Nodes water;
+  Nodes mobility;  ///< D of the nodes [1/kg]
+  Nodes force;     ///< G: total force of each node on the water [N]
+  Nodes next;      ///< X^n+1 [m]
+  CouplingReport<D> report;
+};
+
+}  // namespace washtub
