@@ -26,45 +26,54 @@ Multigrid<D>::Multigrid(const Grid<D>& grid, double density, std::array<const fl
   finest_.open = open;
   for (int d = 0; d < D; ++d) finest_.g[d] = 1.0 / (density * mesh.h[d] * mesh.h[d]);
 
-  const auto hierarchy = coarsen(mesh);
-  coarse_.resize(hierarchy.size());
-  coarse_open_.resize(hierarchy.size());
-  first_gathered_ = hierarchy.size();
   std::array<int, D> ones, periods{};
   ones.fill(1);
   for (int d = 1; d < D; ++d) periods[d - 1] = mesh.periodic[d];
   MPI_Cart_create(MPI_COMM_SELF, D - 1, ones.data(), periods.data(), 0, &self_);
 
+  const auto hierarchy = coarsen(mesh);
+  coarse_.resize(hierarchy.size());
+  coarse_open_.resize(hierarchy.size());
+  first_gathered_ = hierarchy.size();
   Block<D> block = grid.block();
-  bool whole = grid.parallel().size() == 1;
   for (std::size_t l = 0; l < hierarchy.size(); ++l) {
-    const auto& level = hierarchy[l];
-    auto& c = coarse_[l];
-    Block<D> part = block;
-    for (int d = 0; d < D; ++d) {
-      part.offset[d] /= level.factor[d];
-      part.count[d] /= level.factor[d];
-    }
-    c.factor = level.factor;
-    if (level.gathered && !whole) {
-      whole = true;
-      first_gathered_ = l;
-      c.place = part.offset;
-      block = Block<D>(Index<D>{}, level.cells);
-      gather_ = std::make_unique<GatherBlocks<D>>(grid.parallel(), part);
-    } else {
-      block = Block<D>(part.offset, part.count);
-    }
-    c.allocate(block);
-    c.halo = Halo<D>(whole ? self_ : grid.comm(), block, mesh.periodic[0]);
-    for (int d = 0; d < D; ++d) {
-      c.g[d] = static_cast<float>(1.0 / (density * level.h[d] * level.h[d]));
-      coarse_open_[l][d] = Storage<float>(static_cast<std::size_t>(block.size));
-      c.open[d] = coarse_open_[l][d].data();
-    }
+    block = coarse_block(l, hierarchy[l], block);
+    make_level(l, hierarchy[l], block, density);
   }
   row_sum_.resize(static_cast<std::size_t>(mesh.cells[0]) + 64);
   update();
+}
+
+/// What this rank holds of a level: its part, or, from the first gathered level on, all of it.
+template <int D>
+Block<D> Multigrid<D>::coarse_block(std::size_t l, const Coarsening<D>& level,
+                                    const Block<D>& finer) {
+  Block<D> part = finer;
+  for (int d = 0; d < D; ++d) {
+    part.offset[d] /= level.factor[d];
+    part.count[d] /= level.factor[d];
+  }
+  if (!level.gathered || gather_ || grid_.parallel().size() == 1)
+    return Block<D>(part.offset, part.count);
+  first_gathered_ = l;
+  coarse_[l].place = part.offset;
+  gather_ = std::make_unique<GatherBlocks<D>>(grid_.parallel(), part);
+  return Block<D>(Index<D>{}, level.cells);
+}
+
+template <int D>
+void Multigrid<D>::make_level(std::size_t l, const Coarsening<D>& level, const Block<D>& block,
+                              double density) {
+  auto& c = coarse_[l];
+  const bool whole = gather_ || grid_.parallel().size() == 1;
+  c.factor = level.factor;
+  c.allocate(block);
+  c.halo = Halo<D>(whole ? self_ : grid_.comm(), block, grid_.mesh().periodic[0]);
+  for (int d = 0; d < D; ++d) {
+    c.g[d] = static_cast<float>(1.0 / (density * level.h[d] * level.h[d]));
+    coarse_open_[l][d] = Storage<float>(static_cast<std::size_t>(block.size));
+    c.open[d] = coarse_open_[l][d].data();
+  }
 }
 
 template <int D>

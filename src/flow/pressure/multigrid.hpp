@@ -52,6 +52,8 @@ class Multigrid {
  private:
   enum class Start { keep, set, add };
 
+  Block<D> coarse_block(std::size_t l, const Coarsening<D>& level, const Block<D>& finer);
+  void make_level(std::size_t l, const Coarsening<D>& level, const Block<D>& block, double density);
   template <class T>
   double smooth(Level<D, T>& fine, std::size_t coarse, Start start, int sweeps, bool residual);
   template <class T>
