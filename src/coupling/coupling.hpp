@@ -39,9 +39,9 @@ class Coupling {
   Report move();
 
   void state(Archive& archive) {
-    archive.same_length("force", force_);
-    archive.value("last step", last_step_);
+    archive.same_length("force", step_.force);
     archive.value("barrier", barrier_);
+    if (archive.reading()) stage_ = Stage::moved;  // a step that failed is forgotten
   }
 
   /// Moment of the contact forces on a solid about its axis [N m], in the last step.

@@ -86,6 +86,14 @@ void FlowFields<D>::set_velocity(const std::function<Vec<D>(const Vec<D>&)>& fie
   speed = grid.parallel().max(speed);
 }
 
+template <int D>
+void FlowFields<D>::state(Archive& archive) {
+  archive.grids("velocity", u, grid.part());
+  archive.grids("force", f, grid.part());
+  archive.value("speed", speed);
+  archive.value("passing", passing);
+}
+
 template struct FlowFields<2>;
 template struct FlowFields<3>;
 

@@ -27,6 +27,7 @@ struct FlowFields {
   void exchange();
   /// Ghosts of the velocity from other ranks and from the sides.
   void refresh_ghosts();
+  void state(Archive& archive);
   /// The values of u.
   std::array<double*, D> velocities();
 

@@ -78,31 +78,19 @@ typename Flow<D>::Report Flow<D>::project(double tolerance, int max_cycles) {
 
 template <int D>
 void Flow<D>::restart() {
-  for (int d = 0; d < D; ++d) {
-    f_[d].fill(0);
-    convection_[d].fill(0);
-  }
-  multigrid_.pressure().fill(0);
-  pressure_before_.fill(0);
-  last_step_ = 0;
-  steps_since_flip_ = -1;
-  forced_ = false;
+  for (auto& f : water_.f) f.fill(0);
+  projection_.restart();
+  prediction_.restart();
+  step_ = 0;
 }
 
 template <int D>
 void Flow<D>::state(Archive& archive) {
-  const GridPart part = grid_.part();
-  archive.grids("velocity", u_, part);
-  archive.grids("force", f_, part);
-  archive.grids("convection", convection_, part);
-  archive.grid("pressure", multigrid_.pressure(), part);
-  archive.grid("pressure before", pressure_before_, part);
-  archive.value("last step", last_step_);
-  archive.value("speed", speed_);
-  archive.value("steps since flip", steps_since_flip_);
-  archive.value("forced", forced_);
-  archive.value("passing water", passing_);
-  if (archive.reading()) multigrid_.update();
+  archive.value("water", water_);
+  archive.value("projection", projection_);
+  archive.value("prediction", prediction_);
+  archive.value("step", step_);
+  if (archive.reading()) stage_ = Stage::projected;  // a step that failed is forgotten
 }
 
 template class Flow<2>;

@@ -66,7 +66,8 @@ class Flow {
 
   /// Forgets pressure, force and the steps so far; the velocity stays.
   void restart();
-  /// What goes on from step to step. After reading, the openings are taken up as they are now.
+  /// What goes on from step to step; between steps. After reading, the openings are taken up as
+  /// they are now.
   void state(Archive& archive);
 
   /// Ghosts of the velocity from other ranks and from the sides (after setting an initial state).

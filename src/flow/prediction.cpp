@@ -8,6 +8,7 @@
 namespace washtub {
 namespace {
 
+constexpr double most_growth = 4;          // of the step, over which the convection is extrapolated
 constexpr double viscous_accuracy = 1e-5;  // of the viscous solve, relative to the step's change
 
 /// Optimal over-relaxation of the viscous sweeps and how many of them reach viscous_accuracy.
@@ -178,7 +179,7 @@ void Prediction<D>::advance(double dt, double before, bool held) {
         water_.viscosity / water_.density * dt / (2 * grid.mesh().h[d] * grid.mesh().h[d]);
     diffusion_number += 2 * diffusion_[d];
   }
-  const double ratio = before > 0 ? dt / before : 0;
+  const double ratio = before > 0 ? std::min(dt / before, most_growth) : 0;
   const double push = held ? dt / water_.density : 0;
   const Weights weights{dt * (1 + 0.5 * ratio), -0.5 * dt * ratio, push};
   const Relaxation relax = relaxation(diffusion_number);
@@ -203,6 +204,11 @@ void Prediction<D>::advance(double dt, double before, bool held) {
         if (s > 0) water_.exchange();
       },
       [](int) {});
+}
+
+template <int D>
+void Prediction<D>::restart() {
+  for (auto& c : convection_) c.fill(0);
 }
 
 template class Prediction<2>;

@@ -23,6 +23,9 @@ class Prediction {
   /// Forgets the convection in cells of the planes [k0, k1) that are now solid.
   void openings_changed(int k0, int k1);
 
+  void restart();  ///< forgets it everywhere
+  void state(Archive& archive) { archive.grids("convection", convection_, water_.grid.part()); }
+
  private:
   /// Weights of the right-hand side of the viscous solve.
   struct Weights {

@@ -178,6 +178,21 @@ typename Projection<D>::Report Projection<D>::project(double dt, const Accuracy&
   return report;
 }
 
+template <int D>
+void Projection<D>::restart() {
+  multigrid_.pressure().fill(0);
+  before_.fill(0);
+  warm_start_ = {};
+}
+
+template <int D>
+void Projection<D>::state(Archive& archive) {
+  archive.grid("pressure", multigrid_.pressure(), water_.grid.part());
+  archive.grid("before", before_, water_.grid.part());
+  archive.value("warm start", warm_start_);
+  if (archive.reading()) multigrid_.update();
+}
+
 template class Projection<2>;
 template class Projection<3>;
 

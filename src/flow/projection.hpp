@@ -36,6 +36,10 @@ class Projection {
   /// did at once.
   void openings_changed(int k0, int k1, bool flipped);
 
+  void restart();  ///< forgets the pressure
+  /// After reading, the openings are taken up as they are now.
+  void state(Archive& archive);
+
   const Multigrid<D>& multigrid() const { return multigrid_; }
   const WarmStart& warm_start() const { return warm_start_; }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "base/archive.hpp"
 
 namespace washtub {
 
@@ -27,6 +28,11 @@ class WarmStart {
   /// Whether the next step may count on the last pressure gradient: no flip for two steps, and no
   /// force, which the gradient would have to follow.
   bool gradient_holds() const { return steps_ >= 1 && !forced_; }
+
+  void state(Archive& archive) {
+    archive.value("steps", steps_);
+    archive.value("forced", forced_);
+  }
 
  private:
   int steps_ = -1;  ///< since a flip

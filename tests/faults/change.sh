@@ -18,7 +18,7 @@ expect_code 2 run "$work/whole" -n 1 --resume --set 'fluid.viscosity=2 Pa s'
 expect_text "$work/whole.out" 'is of another case: fluid.viscosity = "1 Pa s", here "2 Pa s"'
 run "$work/thicker" -n 1 --from "$work/whole" --set 'fluid.viscosity=2 Pa s' || fail "--from"
 expect_code 2 run "$work/finer" -n 1 --from "$work/whole" --set domain.cells=64
-expect_text "$work/finer.out" "the grid of run/simulation/flow/velocity x is 1 x 34 x 34"
+expect_text "$work/finer.out" "the grid of run/simulation/flow/water/velocity x is 1 x 34 x 34"
 expect_code 2 run "$work/more" -n 1 --from "$work/whole" --set 'cloth[1].count=3'
 expect_text "$work/more.out" "run/simulation/cloth/position"
 finish
