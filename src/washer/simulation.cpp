@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/error.hpp"
 #include "case/velocity_field.hpp"
@@ -30,7 +32,8 @@ Simulation<D>::Simulation(const Case& whole, const Parallel& parallel, Archive* 
       flow_(grid_, whole.fluid.density, whole.fluid.viscosity, build_sides<D>(whole),
             {mapping_.open(), mapping_.smooth()}),
       cloth_(build_cloth<D>(whole)),
-      impulses_(whole.solids.size()) {
+      impulses_(whole.solids.size()),
+      moments_(whole.solids.size()) {
   start_water();
   if (developed) take_developed(*developed);
   courant_rate_ = start_rate();
@@ -164,7 +167,7 @@ void Simulation<D>::move_solids(double dt) {
   if (change.any) flow_.openings_changed(k0, k1, change.flipped);
   for (std::size_t s = 0; s < impulses_.size(); ++s)
     if (mapping_.solids()[s].drive.moving())
-      impulses_[s].moment += mapping_.swept(s, flow_.velocity(), flow_.density()).second;
+      moments_[s] = mapping_.swept(s, flow_.velocity(), flow_.density()).second;
   mapping_.impose(flow_.velocity());
   if (mapping_.smooth()) mapping_.impose_target(flow_.target());
 }
@@ -217,24 +220,27 @@ WaterState<D> Simulation<D>::water() const {
 
 template <int D>
 void Simulation<D>::record_impulses(double dt) {
-  for (std::size_t s = 0; s < impulses_.size(); ++s) {
-    const auto& drive = mapping_.solids()[s].drive;
-    if (!drive.moving()) continue;
-    const auto load = surface_loads<D>(grid_, mapping_, s, water());
-    impulses_[s].moment += dt * load.total().torque;
-    if (coupling_ && grid_.parallel().root())
-      impulses_[s].moment += dt * coupling_->contact_moment(s);
-    impulses_[s].angle += drive.angle(last_.time) - drive.angle(last_.time - dt);
+  const auto& solids = mapping_.solids();
+  for (std::size_t s = 0; s < solids.size(); ++s) {
+    if (!solids[s].drive.moving()) continue;
+    moments_[s] += dt * surface_loads<D>(grid_, mapping_, s, water()).total().torque;
+    if (coupling_ && grid_.parallel().root()) moments_[s] += dt * coupling_->contact_moment(s);
+  }
+  grid_.parallel().sum(std::span<double>(moments_));
+  for (std::size_t s = 0; s < solids.size(); ++s) {
+    const Drive& drive = solids[s].drive;
+    const double swept = drive.angle(last_.time) - drive.angle(last_.time - dt);
+    impulses_[s].moment += moments_[s];
+    impulses_[s].work += moments_[s] / dt * swept;
+    impulses_[s].squared += moments_[s] / dt * moments_[s];
+    impulses_[s].angle += swept;
     impulses_[s].time += dt;
   }
 }
 
 template <int D>
 Impulse Simulation<D>::take_impulse(std::size_t solid) {
-  Impulse taken = impulses_[solid];
-  taken.moment = grid_.parallel().sum(taken.moment);
-  impulses_[solid] = {};
-  return taken;
+  return std::exchange(impulses_[solid], {});
 }
 
 template <int D>

@@ -13,11 +13,14 @@ namespace washtub {
 enum class StepLimit { given, courant, growth, sample, slip, caution };
 const char* name(StepLimit limit);
 
-/// What a turning solid received from the water since the last look.
+/// Sums over the steps since the last look of what the water does to a turning solid; per metre in
+/// 2-D. The torque tau of a step is the mean over it.
 struct Impulse {
-  double moment = 0;  ///< time integral of the torque of the water on it [N m s], per metre in 2-D
-  double angle = 0;   ///< swept meanwhile [rad]
-  double time = 0;    ///< [s]
+  double moment = 0;   ///< integral of tau dt [N m s]
+  double work = 0;     ///< integral of tau d(angle) [J]: minus what the solid gives to the water
+  double squared = 0;  ///< integral of tau^2 dt [N^2 m^2 s]
+  double angle = 0;    ///< swept [rad]
+  double time = 0;     ///< [s]
   static constexpr bool of_doubles = true;
 };
 
@@ -63,7 +66,7 @@ class Simulation {
   const Cloth<D>& cloth() const { return cloth_; }
   const DomainMapping<D>& mapping() const { return mapping_; }
   const Case& definition() const { return case_; }
-  /// Impulse on a turning solid since the last call (collective).
+  /// Impulse on a turning solid since the last call, the same on all ranks.
   Impulse take_impulse(std::size_t solid);
   /// Loads on a solid now, summed over the ranks (collective).
   SurfaceLoads<D> loads(std::size_t solid) const;
@@ -90,8 +93,9 @@ class Simulation {
   Step last_;
   double courant_rate_ = 0;  ///< largest sum over axes of |u| / h [1/s]
   double slip_factor_ = 1, caution_ = 1;
-  double wanted_step_ = 0;  ///< before it was cut to meet the sample [s]
-  std::vector<Impulse> impulses_;
+  double wanted_step_ = 0;         ///< before it was cut to meet the sample [s]
+  std::vector<Impulse> impulses_;  ///< on all ranks
+  std::vector<double> moments_;    ///< of tau dt of this step, this rank's share [N m s]
 };
 
 }  // namespace washtub

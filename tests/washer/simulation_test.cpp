@@ -29,8 +29,10 @@ TEST(Simulation, DoesNotDependOnTheRanks) {
     largest = std::max(largest, (serial.cloth().position[i] - parallel.cloth().position[i]).norm());
   EXPECT_LT(largest, 1e-10);
   EXPECT_NEAR(serial.last().kinetic, parallel.last().kinetic, 1e-9 * serial.last().kinetic);
-  const double a = serial.take_impulse(1).moment, b = parallel.take_impulse(1).moment;
-  EXPECT_NEAR(a, b, 1e-7 * std::abs(a));
+  const Impulse a = serial.take_impulse(1), b = parallel.take_impulse(1);
+  EXPECT_NEAR(a.moment, b.moment, 1e-7 * std::abs(a.moment));
+  EXPECT_NEAR(a.squared, b.squared, 1e-7 * a.squared);
+  EXPECT_NEAR(a.work, b.work, 1e-7 * std::abs(a.work));
 }
 
 TEST(Simulation, ClothStaysOutOfSolidsAndMovesWithTheWater) {
@@ -55,11 +57,30 @@ TEST(Simulation, DriveDoesTheWork) {
   double work = 0;
   while (simulation.time() < 0.1 - 1e-9) {
     simulation.step(0.1);
-    const Impulse i = simulation.take_impulse(1);
-    work -= i.moment * i.angle / i.time;
+    work -= simulation.take_impulse(1).work;
   }
   EXPECT_GT(work, simulation.last().kinetic);
   EXPECT_LT(work, 4 * simulation.last().kinetic);
+}
+
+/// What is looked at after many steps is the sum of what is looked at after each.
+TEST(Simulation, ImpulsesAreSumsOverTheSteps) {
+  Simulation<3> often(small_wash(), Parallel()), once(small_wash(), Parallel());
+  Impulse sum;
+  while (often.time() < 0.02 - 1e-9) {
+    once.step(0.02);
+    const double dt = often.step(0.02).dt;
+    const Impulse i = often.take_impulse(1);
+    EXPECT_NEAR(i.time, dt, 1e-15);
+    EXPECT_NEAR(i.squared, i.moment * i.moment / dt, 1e-12 * i.squared);
+    EXPECT_NEAR(i.work, i.moment * i.angle / dt, 1e-12 * std::abs(i.work));
+    sum.squared += i.squared, sum.work += i.work, sum.time += i.time;
+  }
+  const Impulse all = once.take_impulse(1);
+  EXPECT_NEAR(all.squared, sum.squared, 1e-12 * sum.squared);
+  EXPECT_NEAR(all.work, sum.work, 1e-12 * std::abs(sum.work));
+  EXPECT_NEAR(all.time, sum.time, 1e-15);
+  EXPECT_EQ(once.take_impulse(1).time, 0);
 }
 
 /// A stretched oval ring in still water: it gets going gently, and encloses the same water.
