@@ -4,6 +4,13 @@
 
 namespace washtub {
 
+void Scatter::add(const Scatter& others) {
+  for (std::size_t k = 0; k < r_.size(); ++k) {
+    r_[k].add(others.r_[k]);
+    z_[k].add(others.z_[k]);
+  }
+}
+
 Vec<2> Scatter::centre(std::size_t piece) const { return {r_[piece].mean(), z_[piece].mean()}; }
 
 Vec<2> Scatter::centre() const {

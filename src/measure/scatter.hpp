@@ -32,6 +32,9 @@ class Scatter {
     }
   }
 
+  /// All that another one of the same pieces has collected over its own window.
+  void add(const Scatter& others);
+
   void state(Archive& archive) {
     archive.same_length("r", r_);
     archive.same_length("z", z_);

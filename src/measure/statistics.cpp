@@ -18,6 +18,15 @@ void Statistics::add(double value, double weight) {
   squares_ += weight * from_old * (value - mean_);
 }
 
+/// Chan, Golub and LeVeque, Am. Stat. 37, 1983.
+void Statistics::add(const Statistics& others) {
+  if (!(others.weight_ > 0)) return;
+  const double before = weight_, apart = others.mean_ - mean_;
+  weight_ += others.weight_;
+  mean_ += apart * others.weight_ / weight_;
+  squares_ += others.squares_ + apart * apart * before * others.weight_ / weight_;
+}
+
 double Statistics::mean() const { return weight_ > 0 ? mean_ : unknown; }
 
 double Statistics::deviation() const {

@@ -19,6 +19,7 @@ struct Interval {
 class Statistics {
  public:
   void add(double value, double weight = 1);
+  void add(const Statistics& others);        ///< all values that those have seen
   double weight() const { return weight_; }  ///< sum of the weights
   double mean() const;
   double deviation() const;  ///< square root of the mean squared difference from the mean

@@ -24,6 +24,12 @@ void StressStatistics::Parts::add(const StressParts& value, double weight) {
   total.add(value.total, weight);
 }
 
+void StressStatistics::Parts::add(const Parts& others) {
+  membrane.add(others.membrane);
+  bending.add(others.bending);
+  total.add(others.total);
+}
+
 StressStatistics::StressStatistics(std::size_t pieces, const Interval& window)
     : window_(window), of_piece_(pieces) {}
 
@@ -39,6 +45,11 @@ void StressStatistics::add(const Interval& over, std::span<const StressParts> pi
   }
   const double n = static_cast<double>(pieces.size());
   of_all_.add({sum.membrane / n, sum.bending / n, sum.total / n}, time);
+}
+
+void StressStatistics::add(const StressStatistics& others) {
+  for (std::size_t k = 0; k < of_piece_.size(); ++k) of_piece_[k].add(others.of_piece_[k]);
+  of_all_.add(others.of_all_);
 }
 
 StressSummary StressStatistics::summary(Statistics Parts::*part) const {

@@ -38,6 +38,8 @@ class StressStatistics {
 
   /// Area means of every piece, in the same order each time, standing for the time `over`.
   void add(const Interval& over, std::span<const StressParts> pieces);
+  /// All that another one of the same pieces has collected over its own window.
+  void add(const StressStatistics& others);
 
   void state(Archive& archive) {
     archive.same_length("pieces", of_piece_);
@@ -53,6 +55,7 @@ class StressStatistics {
   struct Parts {
     Statistics membrane, bending, total;
     void add(const StressParts& value, double weight);
+    void add(const Parts& others);
     static constexpr bool of_doubles = true;
   };
   StressSummary summary(Statistics Parts::*part) const;

@@ -27,6 +27,19 @@ TEST(Statistics, WeightsCountAsRepetitions) {
   EXPECT_DOUBLE_EQ(repeated.deviation(), weighted.deviation());
 }
 
+TEST(Statistics, JoinedTheyKnowAllValues) {
+  Statistics first, second, all;
+  for (const double v : {3.0, 5.0, -2.0}) first.add(v, 2), all.add(v, 2);
+  for (const double v : {100.0, 101.0}) second.add(v, 0.5), all.add(v, 0.5);
+  Statistics joined;
+  joined.add(first);
+  joined.add(Statistics());
+  joined.add(second);
+  EXPECT_DOUBLE_EQ(joined.weight(), all.weight());
+  EXPECT_DOUBLE_EQ(joined.mean(), all.mean());
+  EXPECT_DOUBLE_EQ(joined.deviation(), all.deviation());
+}
+
 TEST(Statistics, SmallSpreadAboutALargeMeanIsNotLost) {
   Statistics s;
   for (const double v : {1e9 + 1, 1e9 - 1}) s.add(v);
