@@ -2,11 +2,12 @@
 
 #include "app/commands.hpp"
 #include "case/case.hpp"
+#include "record/reference.hpp"
 
 namespace washtub {
 
-int command_reference() {
-  fmt::print("{}", input_reference());
+int command_reference(const ReferenceArguments& arguments) {
+  fmt::print("{}", arguments.output ? output_reference() : input_reference());
   return 0;
 }
 

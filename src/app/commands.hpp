@@ -26,6 +26,10 @@ struct RunArguments {
   std::vector<std::string> all;  ///< the whole command line
 };
 
+struct ReferenceArguments {
+  bool output = false;  ///< of the results instead of the case file
+};
+
 /// What `washtub modes` asks for.
 struct ModesArguments {
   CaseArguments input;
@@ -69,7 +73,7 @@ struct MovieArguments {
 /// Every command returns the exit code.
 int command_run(RunArguments arguments);
 int command_check(const CaseArguments& arguments);
-int command_reference();
+int command_reference(const ReferenceArguments& arguments);
 int command_modes(const ModesArguments& arguments);
 int command_verify(const VerifyArguments& arguments);
 int command_report(const ReportArguments& arguments);

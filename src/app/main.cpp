@@ -40,6 +40,13 @@ void add_run(CLI::App& app, RunArguments& arguments) {
   command.add_flag("!--no-report", arguments.report, "do not make report.html at the end");
 }
 
+void add_reference(CLI::App& app, ReferenceArguments& arguments) {
+  CLI::App& command = *app.add_subcommand(
+      "reference", "print the reference of all keys of a case file, docs/input.md");
+  command.add_flag("--output", arguments.output,
+                   "that of all columns, fields and entries of the results, docs/output.md");
+}
+
 void add_modes(CLI::App& app, ModesArguments& arguments) {
   CLI::App& command = *app.add_subcommand("modes", "natural frequencies of a case's cloth");
   add_case(command, arguments.input);
@@ -144,7 +151,8 @@ int command_line(int argc, char** argv) {
   add_compare(app, compare);
   MovieArguments movie;
   add_movie(app, movie);
-  app.add_subcommand("reference", "print the input reference");
+  ReferenceArguments reference;
+  add_reference(app, reference);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {
@@ -160,7 +168,7 @@ int command_line(int argc, char** argv) {
   if (app.got_subcommand("report")) return command_report(report);
   if (app.got_subcommand("compare")) return command_compare(compare);
   if (app.got_subcommand("movie")) return command_movie(movie);
-  return app.got_subcommand("check") ? command_check(check) : command_reference();
+  return app.got_subcommand("check") ? command_check(check) : command_reference(reference);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "io/cloth_mesh.hpp"
 
+#include <algorithm>
+
 namespace washtub {
 namespace {
 
@@ -37,9 +39,8 @@ ClothMesh::ClothMesh(const std::vector<ClothPiece>& all, int dimension) {
       add_plate(p, first, number);
     else
       add_thread(p, first, number);
-    append(membrane, p.membrane);
-    append(bending, p.bending);
-    append(total, p.total);
+    values.resize(std::max(values.size(), p.values.size()));
+    for (std::size_t f = 0; f < p.values.size(); ++f) append(values[f], p.values[f]);
   }
   topology.nodes = positions.size() / 3;
   topology.cells = piece.size();
@@ -62,7 +63,8 @@ void ClothMesh::add_thread(const ClothPiece& p, int first, int number) {
   }
 }
 
-ClothTopology write_cloth(Hdf5File& file, const ClothMesh& mesh, const Parallel& parallel) {
+ClothTopology write_cloth(Hdf5File& file, const ClothMesh& mesh,
+                          const std::vector<FieldDescription>& fields, const Parallel& parallel) {
   std::array<long, 3> size = {static_cast<long>(mesh.topology.nodes),
                               static_cast<long>(mesh.topology.cells),
                               static_cast<long>(mesh.pieces.size() / 3)};
@@ -77,9 +79,10 @@ ClothTopology write_cloth(Hdf5File& file, const ClothMesh& mesh, const Parallel&
   const auto corners = static_cast<std::size_t>(written.corners);
   file.group("cloth");
   file.write("cloth/positions", "m", on_root(root, nodes, 3), mine(mesh.positions));
-  file.write("cloth/membrane", "Pa", on_root(root, nodes, 0), mine(mesh.membrane));
-  file.write("cloth/bending", "Pa", on_root(root, nodes, 0), mine(mesh.bending));
-  file.write("cloth/total", "Pa", on_root(root, nodes, 0), mine(mesh.total));
+  for (std::size_t f = 0; f < fields.size(); ++f)
+    file.write("cloth", fields[f], on_root(root, nodes, 0),
+               root && f < mesh.values.size() ? std::span<const double>(mesh.values[f])
+                                              : std::span<const double>());
   file.write("cloth/cells", "", on_root(root, cells, corners), mine(mesh.cells));
   file.write("cloth/piece", "", on_root(root, cells, 0), mine(mesh.piece));
   const auto pieces = static_cast<std::size_t>(size[2]);

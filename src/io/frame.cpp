@@ -20,12 +20,21 @@ namespace fs = std::filesystem;
 std::string relative_path(int number) { return fmt::format("frames/frame_{:06d}.h5", number); }
 
 /// Bytes of a frame's file, and some to spare for the library's own data.
-std::size_t file_size(const FluidGrid& grid, const ClothMesh& cloth) {
-  std::size_t cells = 1;
+std::size_t file_size(const FluidGrid& grid, const FluidBlock& fluid, const ClothMesh& cloth) {
+  std::size_t cells = 1, components = 0;
   for (const int n : grid.cells) cells *= static_cast<std::size_t>(n);
-  const std::size_t nodes = cloth.topology.nodes * 6 * sizeof(double);
+  for (const FieldBlock& block : fluid.fields)
+    components += static_cast<std::size_t>(block.field.components);
+  const std::size_t nodes = cloth.topology.nodes * (3 + cloth.values.size()) * sizeof(double);
   const std::size_t quads = (cloth.cells.size() + cloth.piece.size()) * sizeof(int);
-  return cells * 5 * sizeof(float) + nodes + quads + 65536;
+  return cells * components * sizeof(float) + nodes + quads + 65536;
+}
+
+/// What the index lists of a frame.
+FrameFields fields_of(const Frame& frame) {
+  FrameFields fields{{}, frame.cloth_fields};
+  for (const FieldBlock& block : frame.fluid.fields) fields.fluid.push_back(block.field);
+  return fields;
 }
 
 std::vector<FrameNumber> angles(const std::vector<SolidAngle>& solids) {
@@ -78,22 +87,23 @@ void FrameWriter::resume(int frames) {
 }
 
 void FrameWriter::write_fluid(Hdf5File& file, const FluidBlock& fluid) const {
-  const Slab scalar = fluid_slab(grid_.cells, fluid, 0), vector = fluid_slab(grid_.cells, fluid, 3);
   file.group("fluid");
-  file.write("fluid/velocity", "m/s", vector, fluid.velocity);
-  file.write("fluid/pressure", "Pa", scalar, fluid.pressure);
-  file.write("fluid/solid", "1", scalar, fluid.solid);
+  for (const auto& [field, values] : fluid.fields) {
+    const int width = field.components > 1 ? field.components : 0;
+    file.write("fluid", field, fluid_slab(grid_.cells, fluid, static_cast<hsize_t>(width)), values);
+  }
 }
 
 void FrameWriter::write(const Frame& frame) {
   const std::string target = path(frames_);
   const ClothMesh mesh(parallel_.root() ? frame.cloth : std::vector<ClothPiece>(), dimension_);
-  agree(parallel_, parallel_.root() ? reserve_file(target, file_size(grid_, mesh)) : std::string());
+  agree(parallel_, parallel_.root() ? reserve_file(target, file_size(grid_, frame.fluid, mesh))
+                                    : std::string());
   Hdf5File file(target + ".part", parallel_.comm());
   file.attribute("time [s]", frame.time);
   for (const FrameNumber& angle : angles(frame.solids)) file.attribute(angle.name, angle.value);
   write_fluid(file, frame.fluid);
-  const ClothTopology cloth = write_cloth(file, mesh, parallel_);
+  const ClothTopology cloth = write_cloth(file, mesh, frame.cloth_fields, parallel_);
   finish(file.close(), frame, cloth);
 }
 
@@ -101,7 +111,8 @@ void FrameWriter::write(const Frame& frame) {
 void FrameWriter::publish(const Frame& frame, const ClothTopology& cloth) {
   const std::string target = path(frames_);
   publish_file(target);
-  index_.add(frame.time, relative_path(frames_), grid_, cloth, angles(frame.solids));
+  index_.add(frame.time, relative_path(frames_), grid_, cloth, fields_of(frame),
+             angles(frame.solids));
   try {
     replace_file(directory_ + "/frames.xdmf", index_.text());
     if (frames_ == 0) replace_file(directory_ + "/paraview.xdmf2", paraview_index());

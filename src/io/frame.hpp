@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "io/field.hpp"
 #include "io/hdf5_file.hpp"
 #include "io/xdmf.hpp"
 
@@ -14,16 +15,14 @@ namespace washtub {
 /// the third count 1.
 struct FluidBlock {
   std::array<int, 3> offset{}, count{};  ///< cells, in the whole grid
-  std::span<const float> velocity;       ///< three components per cell, interleaved [m/s]
-  std::span<const float> pressure;       ///< [Pa]
-  std::span<const float> solid;          ///< share of the cell within solids, 0 to 1
+  std::vector<FieldBlock> fields;        ///< the same ones on all ranks
 };
 
 /// One piece of cloth; node (i, j) has number i + extent[0] j.
 struct ClothPiece {
-  std::array<int, 2> extent{};                       ///< nodes along r and s; {1, n} for a thread
-  std::span<const double> positions;                 ///< `dimension` coordinates per node [m]
-  std::span<const double> membrane, bending, total;  ///< stress per node [Pa]
+  std::array<int, 2> extent{};                  ///< nodes along r and s; {1, n} for a thread
+  std::span<const double> positions;            ///< `dimension` coordinates per node [m]
+  std::vector<std::span<const double>> values;  ///< per node, of each of Frame::cloth_fields
   std::array<bool, 2> closed{};  ///< whether the last node meets the first one, along r and s
 };
 
@@ -33,21 +32,22 @@ struct SolidAngle {
 };
 
 struct Frame {
-  double time = 0;                 ///< [s]
-  FluidBlock fluid;                ///< this rank's
-  std::vector<ClothPiece> cloth;   ///< all pieces, looked at on rank 0 only
-  std::vector<SolidAngle> solids;  ///< the same on all ranks
+  double time = 0;                             ///< [s]
+  FluidBlock fluid;                            ///< this rank's
+  std::vector<FieldDescription> cloth_fields;  ///< scalars, the same on all ranks
+  std::vector<ClothPiece> cloth;               ///< all pieces, looked at on rank 0 only
+  std::vector<SolidAngle> solids;              ///< the same on all ranks
 };
 
 /// Writes the frames of a run, each to its own file frames/frame_000000.h5 under the output
 /// directory, and keeps frames.xdmf up to date, so that ParaView can open it, by way of
 /// paraview.xdmf2, at any time:
 ///   attributes of /   "time [s]", "angle of NAME [rad]"
-///   /fluid/velocity (nz, ny, nx, 3) [m/s], pressure [Pa], solid (nz, ny, nx): 32-bit
-///   /cloth/positions (nodes, 3) [m], membrane, bending, total (nodes) [Pa]: all pieces one
-///     after the other; cells (cells, 4 or 2) node numbers; piece (cells)
+///   /fluid/FIELD (nz, ny, nx), vectors (nz, ny, nx, 3): 32-bit
+///   /cloth/positions (nodes, 3) [m], FIELD (nodes): all pieces one after the other; cells
+///     (cells, 4 or 2) node numbers; piece (cells)
 ///   /cloth/pieces (pieces, 3): first node and extent of each piece
-/// Every dataset with a unit has it as the attribute "unit". No /cloth where there is no cloth.
+/// A field has its unit, label and meaning as attributes. No /cloth where there is no cloth.
 class FrameWriter {
  public:
   /// `dimension` 2 or 3. Creates the directory `frames` (collective).

@@ -41,6 +41,14 @@ hid_t open(const std::string& path) {
   return file;
 }
 
+/// Datasets of the cloth that are no fields.
+constexpr std::array<std::string_view, 4> mesh_parts = {"positions", "cells", "piece", "pieces"};
+
+herr_t keep_link(hid_t, const char* name, const H5L_info_t*, void* names) {
+  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
+  return 0;
+}
+
 herr_t keep_name(hid_t, const char* name, const H5A_info_t*, void* names) {
   static_cast<std::vector<std::string>*>(names)->emplace_back(name);
   return 0;
@@ -150,9 +158,11 @@ ClothFrame FrameReader::cloth() const {
     cloth.pieces.push_back(piece);
   }
   cloth.positions = per_node("cloth/positions", 3 * nodes);
-  cloth.membrane = per_node("cloth/membrane", nodes);
-  cloth.bending = per_node("cloth/bending", nodes);
-  cloth.total = per_node("cloth/total", nodes);
+  for (const std::string& name : names("cloth")) {
+    if (std::find(mesh_parts.begin(), mesh_parts.end(), name) != mesh_parts.end()) continue;
+    if (extent("cloth/" + name).size() != 1) continue;  // of a later version
+    cloth.fields.push_back({field("cloth", name, 1), per_node("cloth/" + name, nodes)});
+  }
   const auto cells = values<int>("cloth/cells", H5T_NATIVE_INT);
   const auto piece = values<int>("cloth/piece", H5T_NATIVE_INT);
   for (const int p : piece)
@@ -164,20 +174,57 @@ ClothFrame FrameReader::cloth() const {
   return cloth;
 }
 
-std::array<int, 3> FrameReader::cells() const {
-  const std::vector<hsize_t> n = extent("fluid/solid");
-  if (n.size() != 3) fail(fmt::format("dataset fluid/solid has {} axes for 3", n.size()));
-  return {static_cast<int>(n[2]), static_cast<int>(n[1]), static_cast<int>(n[0])};
+std::vector<std::string> FrameReader::names(const std::string& group) const {
+  std::vector<std::string> names;
+  const Hdf5Handle found(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose);
+  if (found < 0) fail(fmt::format("has no group {}; it may be of another version", group));
+  hsize_t at = 0;
+  H5Literate(found, H5_INDEX_NAME, H5_ITER_INC, &at, keep_link, &names);
+  return names;
 }
 
-WaterFrame FrameReader::water() const {
+std::string FrameReader::text(hid_t dataset, const char* name) const {
+  if (H5Aexists(dataset, name) <= 0) return "";
+  const Hdf5Handle attribute(H5Aopen(dataset, name, H5P_DEFAULT), H5Aclose);
+  const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) return "";
+  std::string text(H5Tget_size(type), ' ');
+  return H5Aread(attribute, type, text.data()) < 0 ? "" : text;
+}
+
+FieldDescription FrameReader::field(const std::string& group, const std::string& name,
+                                    std::size_t components) const {
+  const Hdf5Handle dataset(H5Dopen2(file_, (group + "/" + name).c_str(), H5P_DEFAULT), H5Dclose);
+  const std::string label = text(dataset, "label");
+  return {name, label.empty() ? name : label, text(dataset, "unit"), static_cast<int>(components),
+          text(dataset, "meaning")};
+}
+
+/// From any of its fields: they have the same cells.
+std::array<int, 3> FrameReader::cells() const {
+  for (const std::string& name : names("fluid")) {
+    const std::vector<hsize_t> n = extent("fluid/" + name);
+    if (n.size() == 3 || n.size() == 4)
+      return {static_cast<int>(n[2]), static_cast<int>(n[1]), static_cast<int>(n[0])};
+  }
+  fail("has no field of the water; it may be of another version");
+}
+
+WaterFrame FrameReader::water(const std::vector<std::string>& wanted) const {
   WaterFrame water;
   water.cells = cells();
-  water.solid = values<float>("fluid/solid", H5T_NATIVE_FLOAT);
-  water.velocity = values<float>("fluid/velocity", H5T_NATIVE_FLOAT);
-  if (water.velocity.size() != 3 * water.solid.size())
-    fail(fmt::format("dataset fluid/velocity has {} values for {}", water.velocity.size(),
-                     3 * water.solid.size()));
+  const std::size_t count = static_cast<std::size_t>(water.cells[0]) *
+                            static_cast<std::size_t>(water.cells[1]) *
+                            static_cast<std::size_t>(water.cells[2]);
+  for (const std::string& name : wanted.empty() ? names("fluid") : wanted) {
+    const std::string path = "fluid/" + name;
+    const std::vector<hsize_t> n = extent(path);
+    const std::size_t components = n.size() == 4 ? n[3] : 1;
+    auto read = values<float>(path, H5T_NATIVE_FLOAT);
+    if (read.size() != components * count)
+      fail(fmt::format("dataset {} has {} values for {}", path, read.size(), components * count));
+    water.fields.push_back({field("fluid", name, components), std::move(read)});
+  }
   return water;
 }
 

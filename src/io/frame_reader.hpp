@@ -35,15 +35,16 @@ struct ClothFrame {
     bool operator==(const Piece&) const = default;
   };
   std::vector<Piece> pieces;
-  std::vector<double> positions;                 ///< x y z per node [m]
-  std::vector<double> membrane, bending, total;  ///< per node [Pa]
+  std::vector<double> positions;            ///< x y z per node [m]
+  std::vector<FieldValues<double>> fields;  ///< per node, by their names in order
+
+  std::size_t nodes() const { return positions.size() / 3; }
 };
 
 /// The water of a frame, x fastest.
 struct WaterFrame {
-  std::array<int, 3> cells{};   ///< third one 1 in plane cases
-  std::vector<float> velocity;  ///< three components per cell, interleaved [m/s]
-  std::vector<float> solid;     ///< share of the cell within solids, 0 to 1
+  std::array<int, 3> cells{};              ///< third one 1 in plane cases
+  std::vector<FieldValues<float>> fields;  ///< per cell, those of vectors one after the other
 };
 
 /// One file that FrameWriter has written, read by one process alone. Everything throws an
@@ -56,7 +57,8 @@ class FrameReader {
   std::vector<SolidAngle> solids() const;
   ClothFrame cloth() const;  ///< no pieces where the run has no cloth
   std::array<int, 3> cells() const;
-  WaterFrame water() const;
+  /// The fields with these names; all of them where none is named.
+  WaterFrame water(const std::vector<std::string>& names = {}) const;
 
  private:
   [[noreturn]] void fail(const std::string& what) const;
@@ -66,6 +68,12 @@ class FrameReader {
   template <class T>
   std::vector<T> values(const std::string& name, hid_t type) const;
   std::vector<double> per_node(const std::string& name, std::size_t count) const;
+  /// Names of the datasets of a group.
+  std::vector<std::string> names(const std::string& group) const;
+  /// What is stored of a field; `components` from its shape.
+  FieldDescription field(const std::string& group, const std::string& name,
+                         std::size_t components) const;
+  std::string text(hid_t dataset, const char* name) const;
 
   std::string path_;
   Hdf5Handle file_;

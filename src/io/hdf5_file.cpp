@@ -63,11 +63,18 @@ void Hdf5File::attribute(const std::string& name, double value) {
   if (!failed(attribute)) failed(H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value));
 }
 
-void Hdf5File::unit(hid_t dataset, const std::string& text) {
+void Hdf5File::describe(const std::string& name, const FieldDescription& field) {
+  const Hdf5Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (failed(dataset)) return;
+  text(dataset, "label", field.label);
+  text(dataset, "meaning", field.meaning);
+}
+
+void Hdf5File::text(hid_t dataset, const char* name, const std::string& text) {
   if (text.empty()) return;
   const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose), space(H5Screate(H5S_SCALAR), H5Sclose);
   H5Tset_size(type, text.size());
-  const Hdf5Handle attribute(H5Acreate2(dataset, "unit", type, space, H5P_DEFAULT, H5P_DEFAULT),
+  const Hdf5Handle attribute(H5Acreate2(dataset, name, type, space, H5P_DEFAULT, H5P_DEFAULT),
                              H5Aclose);
   if (!failed(attribute)) failed(H5Awrite(attribute, type, text.data()));
 }
@@ -81,7 +88,7 @@ void Hdf5File::write(const std::string& name, const std::string& unit_text, cons
       H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
       H5Dclose);
   if (failed(dataset)) return;
-  unit(dataset, unit_text);
+  text(dataset, "unit", unit_text);
   if (size == product(slab.count)) return put(dataset, slab, type, values);
   if (reason_.empty())
     reason_ = fmt::format("{}: {} values for {} entries", name, size, product(slab.count));

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "io/field.hpp"
+
 namespace washtub {
 
 /// The part of a dataset that one rank writes: `count` entries from `offset` along each dimension,
@@ -39,6 +41,14 @@ class Hdf5File {
              std::span<const int> values) {
     write(name, unit, slab, H5T_NATIVE_INT, values.data(), values.size());
   }
+  /// A field in a group, with its unit, label and meaning as attributes.
+  template <class T>
+  void write(const std::string& group, const FieldDescription& field, const Slab& slab,
+             std::span<const T> values) {
+    const std::string name = group + "/" + field.name;
+    write(name, field.unit, slab, values);
+    describe(name, field);
+  }
   /// Closes the file; the reason of the first failure on this rank, empty if there was none.
   std::string close();
 
@@ -46,7 +56,8 @@ class Hdf5File {
   void write(const std::string& name, const std::string& unit, const Slab& slab, hid_t type,
              const void* values, std::size_t size);
   void put(hid_t dataset, const Slab& slab, hid_t type, const void* values);
-  void unit(hid_t dataset, const std::string& text);
+  void describe(const std::string& dataset, const FieldDescription& field);
+  void text(hid_t dataset, const char* name, const std::string& text);
   /// Remembers the first failure; returns whether `result` was one.
   bool failed(long long result);
 

@@ -85,7 +85,12 @@ void History::add(std::span<const double> row) {
   if (row.size() != columns_)
     throw RunError(fmt::format("{}: {} values for {} columns", path_, row.size(), columns_));
   std::string line;
-  for (const double value : row) line += std::isnan(value) ? "," : fmt::format("{:.9g},", value);
+  for (const double value : row) {
+    const bool exact = line.empty();  // intervals are differences of times
+    if (std::isfinite(value))
+      line += exact ? fmt::format("{}", value) : fmt::format("{:.9g}", value);
+    line += ',';
+  }
   line.back() = '\n';
   append(line);
   ++rows_;

@@ -27,7 +27,8 @@ class History {
   /// Waits until all rows are on the disk.
   void sync() const;
 
-  /// One value per column; NaN leaves the field empty.
+  /// One value per column, the first with all its digits, the others with nine; what is not finite
+  /// leaves the field empty.
   /// @throws RunError with path and reason; then no part of the row is in the file
   void add(std::span<const double> row);
 

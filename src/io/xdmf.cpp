@@ -65,6 +65,7 @@ std::string reversed(const Vec<3>& v) {
 }
 
 std::string fluid_element(double time, const std::string& file, const FluidGrid& grid,
+                          const std::vector<FieldDescription>& fields,
                           const std::vector<FrameNumber>& numbers) {
   const auto& n = grid.cells;
   const std::string cells = fmt::format("{} {} {}", n[2], n[1], n[0]);
@@ -73,12 +74,12 @@ std::string fluid_element(double time, const std::string& file, const FluidGrid&
       "        <Topology TopologyType=\"3DCoRectMesh\" Dimensions=\"{} {} {}\"/>\n"
       "        <Geometry GeometryType=\"ORIGIN_DXDYDZ\">{}{}</Geometry>\n",
       n[2] + 1, n[1] + 1, n[0] + 1, reversed(grid.lower), reversed(grid.spacing));
-  text += attribute("velocity [m/s]", "Vector", "Cell",
-                    stored(file + ":/fluid/velocity", cells + " 3", "Float", 4));
-  text += attribute("pressure [Pa]", "Scalar", "Cell",
-                    stored(file + ":/fluid/pressure", cells, "Float", 4));
-  text += attribute("solid fraction", "Scalar", "Cell",
-                    stored(file + ":/fluid/solid", cells, "Float", 4));
+  for (const FieldDescription& field : fields) {
+    const bool vector = field.components > 1;
+    const std::string size = vector ? fmt::format("{} {}", cells, field.components) : cells;
+    text += attribute(heading(field), vector ? "Vector" : "Scalar", "Cell",
+                      stored(file + ":/fluid/" + field.name, size, "Float", 4));
+  }
   for (const FrameNumber& number : numbers)
     text += attribute(number.name, "Scalar", "Grid",
                       fmt::format("<DataItem Format=\"XML\" Dimensions=\"1\" NumberType=\"Float\" "
@@ -87,7 +88,8 @@ std::string fluid_element(double time, const std::string& file, const FluidGrid&
   return text.append(mesh_end);
 }
 
-std::string cloth_element(double time, const std::string& file, const ClothTopology& cloth) {
+std::string cloth_element(double time, const std::string& file, const ClothTopology& cloth,
+                          const std::vector<FieldDescription>& fields) {
   const std::string nodes = fmt::format("{}", cloth.nodes);
   const std::string shape =
       cloth.corners == 4
@@ -100,9 +102,9 @@ std::string cloth_element(double time, const std::string& file, const ClothTopol
       shape, cloth.cells,
       stored(file + ":/cloth/cells", fmt::format("{} {}", cloth.cells, cloth.corners), "Int", 4),
       stored(file + ":/cloth/positions", nodes + " 3", "Float", 8));
-  for (const char* part : {"membrane", "bending", "total"})
-    text += attribute(fmt::format("{} stress [Pa]", part), "Scalar", "Node",
-                      stored(fmt::format("{}:/cloth/{}", file, part), nodes, "Float", 8));
+  for (const FieldDescription& field : fields)
+    text += attribute(heading(field), "Scalar", "Node",
+                      stored(file + ":/cloth/" + field.name, nodes, "Float", 8));
   text += attribute("piece", "Scalar", "Cell",
                     stored(file + ":/cloth/piece", fmt::format("{}", cloth.cells), "Int", 4));
   return text.append(mesh_end);
@@ -147,9 +149,10 @@ FluidGrid fluid_grid(const Mesh<2>& mesh) {
 }
 
 void FrameIndex::add(double time, const std::string& file, const FluidGrid& fluid,
-                     const ClothTopology& cloth, const std::vector<FrameNumber>& numbers) {
-  entries_.push_back({time, fluid_element(time, file, fluid, numbers),
-                      cloth.cells > 0 ? cloth_element(time, file, cloth) : ""});
+                     const ClothTopology& cloth, const FrameFields& fields,
+                     const std::vector<FrameNumber>& numbers) {
+  entries_.push_back({time, fluid_element(time, file, fluid, fields.fluid, numbers),
+                      cloth.cells > 0 ? cloth_element(time, file, cloth, fields.cloth) : ""});
 }
 
 void FrameIndex::restore(const std::string& text, std::size_t frames) {

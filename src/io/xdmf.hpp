@@ -5,6 +5,7 @@
 
 #include "base/vec.hpp"
 #include "grid/mesh.hpp"
+#include "io/field.hpp"
 
 namespace washtub {
 
@@ -22,6 +23,11 @@ FluidGrid fluid_grid(const Mesh<3>& mesh);
 struct ClothTopology {
   std::size_t nodes = 0, cells = 0;  ///< of all pieces together
   int corners = 4;                   ///< nodes of a cell: 4 in a plate, 2 in a thread
+};
+
+/// The fields of a frame, per cell of the fluid and per node of the cloth.
+struct FrameFields {
+  std::vector<FieldDescription> fluid, cloth;
 };
 
 /// An angle of a solid, or another number that belongs to a whole frame.
@@ -42,7 +48,7 @@ class FrameIndex {
 
   /// `file`: path of the frame's HDF5 file, relative.
   void add(double time, const std::string& file, const FluidGrid& fluid, const ClothTopology& cloth,
-           const std::vector<FrameNumber>& numbers);
+           const FrameFields& fields, const std::vector<FrameNumber>& numbers);
   void drop_last() { entries_.pop_back(); }
   /// Takes over the first `frames` frames that the text of an earlier frames.xdmf lists.
   void restore(const std::string& text, std::size_t frames);

@@ -1,14 +1,9 @@
 #pragma once
 #include "case/velocity_field.hpp"
+#include "record/sample.hpp"
 #include "washer/simulation.hpp"
 
 namespace washtub {
-
-/// How far the velocity is from a known one.
-struct VelocityError {
-  double largest = 0;
-  double rms = 0;
-};
 
 /// Compares the velocity with an exact solution, Eq. (A.13): each component u_d on its own faces,
 /// those that are open and lie inside the water, without those on sides of the box. Relative errors

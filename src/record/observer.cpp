@@ -1,10 +1,11 @@
 #include "record/observer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "cloth/thread.hpp"
-#include "measure/cycles.hpp"
+#include "measure/trajectory.hpp"
 
 namespace washtub {
 
@@ -17,100 +18,113 @@ Vec<2> turning_axis(const std::vector<Solid>& solids) {
   return Vec<2>::Zero();
 }
 
-}  // namespace
-
+/// Whether a thread is closed without a shift, and so encloses an area.
 bool is_ring(const Sheet<2>& sheet) { return sheet.closed[1] && sheet.period[1].isZero(); }
+
+Interval window(const Case& whole) { return {whole.output.window_begin, whole.output.window_end}; }
+
+}  // namespace
 
 template <int D>
 Observer<D>::Observer(Simulation<D>& simulation)
     : simulation_(simulation),
-      window_{simulation.definition().output.window_begin,
-              simulation.definition().output.window_end},
       axis_(turning_axis(simulation.mapping().solids())),
-      stress_(static_cast<std::size_t>(simulation.cloth().pieces()), window_),
-      scatter_(static_cast<std::size_t>(simulation.cloth().pieces()), window_, axis_),
-      cycles_(whole_cycles(window_, window_.end, simulation.definition().scale.period)) {
+      statistics_(static_cast<std::size_t>(simulation.cloth().pieces()),
+                  window(simulation.definition()), simulation.definition().scale.period, axis_),
+      sampled_(simulation.time()) {
   if (simulation.definition().exact) exact_.emplace(*simulation.definition().exact);
   const auto n = simulation.cloth().position.size();
   for (auto* v : {&membrane_, &bending_, &total_}) v->resize(n);
 }
 
 template <int D>
-void Observer<D>::observe_solids(Sample& sample) {
-  const auto& solids = simulation_.mapping().solids();
-  for (std::size_t s = 0; s < solids.size(); ++s) {
-    const auto loads = simulation_.loads(s);
-    SolidSample solid;
-    solid.angle = solids[s].drive.angle(sample.time);
-    solid.friction = loads.friction.torque;
-    solid.pressure = loads.pressure.torque;
-    solid.convection = loads.convection.torque;
-    solid.torque = loads.total().torque;
-    solid.force.head<D>() = loads.total().force;
-    if (solids[s].drive.moving()) {
-      const Impulse since = simulation_.take_impulse(s);
-      if (since.time > 0) {
-        solid.speed = since.angle / since.time;
-        solid.torque = since.moment / since.time;
-      }
-    }
-    sample.solids.push_back(solid);
-  }
+StepSample Observer<D>::observe_step() const {
+  const auto& last = simulation_.last();
+  return {static_cast<double>(last.number),
+          last.dt,
+          last.courant,
+          last.divergence,
+          static_cast<double>(last.pressure.cycles),
+          last.speed,
+          last.kinetic,
+          last.cloth.largest_strain,
+          last.cloth.slip,
+          static_cast<double>(last.cloth.iterations)};
 }
 
-/// Cycles begin as time goes on; a sample counts for the last ones only.
 template <int D>
-void Observer<D>::observe_scatter(const Interval& since) {
-  const auto& cloth = simulation_.cloth();
-  for (auto next = scatter_of_cycles_.size();
-       next < cycles_.size() && cycles_[next].begin < since.end; ++next)
-    scatter_of_cycles_.emplace_back(static_cast<std::size_t>(cloth.pieces()), cycles_[next], axis_);
-  for (const auto& g : cloth.groups)
-    for (int p = 0; p < g.pieces; ++p) {
-      const auto X = cloth.piece(g, p);
-      const auto piece = static_cast<std::size_t>(g.first_piece + p);
-      scatter_.add<D>(since, piece, X, g.sheet.area);
-      for (auto cycle = scatter_of_cycles_.rbegin();
-           cycle != scatter_of_cycles_.rend() && cycle->window().end > since.begin; ++cycle)
-        cycle->template add<D>(since, piece, X, g.sheet.area);
-    }
+SolidSample Observer<D>::observe_solid(std::size_t s, double time) {
+  const Drive& drive = simulation_.mapping().solids()[s].drive;
+  const auto loads = simulation_.loads(s);
+  SolidSample solid;
+  solid.angle = drive.angle(time);
+  solid.friction = loads.friction.torque;
+  solid.pressure = loads.pressure.torque;
+  solid.convection = loads.convection.torque;
+  solid.torque = loads.total().torque;
+  solid.rms_torque = std::abs(solid.torque);
+  solid.force.head<D>() = loads.total().force;
+  if (!drive.moving()) return solid;
+  const Impulse since = simulation_.take_impulse(s);
+  if (!(since.time > 0)) return solid;
+  solid.speed = since.angle / since.time;
+  solid.power = -since.work / since.time;
+  solid.torque = since.moment / since.time;
+  solid.rms_torque = std::sqrt(since.squared / since.time);
+  return solid;
+}
+
+template <int D>
+PieceSample Observer<D>::observe_piece(const ClothGroup<D>& g, int p) {
+  const auto X = simulation_.cloth().piece(g, p);
+  const auto first = static_cast<std::size_t>(g.node(p, 0));
+  node_stress_.resize(X.size());
+  find_stress(g.sheet, X, node_stress_);
+  for (std::size_t i = 0; i < node_stress_.size(); ++i) {
+    membrane_[first + i] = node_stress_[i].membrane;
+    bending_[first + i] = node_stress_[i].bending;
+    total_[first + i] = node_stress_[i].total;
+  }
+  const auto part = [&](const std::vector<double>& v) {
+    return std::span(v).subspan(first, node_stress_.size());
+  };
+  return {radius_height<D>(centre_of_mass<D>(X, g.sheet.area), axis_),
+          area_mean({part(membrane_), part(bending_), part(total_)}, g.sheet.area)};
 }
 
 template <int D>
 void Observer<D>::observe_cloth(Sample& sample, const Interval& since) {
-  const auto& cloth = simulation_.cloth();
   double area = 0;
-  for (const auto& g : cloth.groups) {
-    node_stress_.resize(static_cast<std::size_t>(g.sheet.nodes()));
+  for (const auto& g : simulation_.cloth().groups) {
+    const double piece_area = std::accumulate(g.sheet.area.begin(), g.sheet.area.end(), 0.0);
     for (int p = 0; p < g.pieces; ++p) {
-      const auto X = cloth.piece(g, p);
-      const auto first = static_cast<std::size_t>(g.node(p, 0));
-      find_stress(g.sheet, X, node_stress_);
-      for (std::size_t i = 0; i < node_stress_.size(); ++i) {
-        membrane_[first + i] = node_stress_[i].membrane;
-        bending_[first + i] = node_stress_[i].bending;
-        total_[first + i] = node_stress_[i].total;
-      }
-      const auto part = [&](const std::vector<double>& v) {
-        return std::span(v).subspan(first, node_stress_.size());
-      };
-      sample.pieces.push_back(
-          area_mean({part(membrane_), part(bending_), part(total_)}, g.sheet.area));
-      sample.centres.push_back(radius_height<D>(centre_of_mass<D>(X, g.sheet.area), axis_));
-      const double piece_area = std::accumulate(g.sheet.area.begin(), g.sheet.area.end(), 0.0);
-      sample.centre += piece_area * sample.centres.back();
+      sample.pieces.push_back(observe_piece(g, p));
+      sample.centre += piece_area * sample.pieces.back().centre;
       area += piece_area;
     }
   }
   if (area > 0) sample.centre /= area;
   const double pieces = static_cast<double>(sample.pieces.size());
-  for (const auto& p : sample.pieces) {
-    sample.stress.membrane += p.membrane / pieces;
-    sample.stress.bending += p.bending / pieces;
-    sample.stress.total += p.total / pieces;
+  for (const PieceSample& p : sample.pieces) {
+    sample.stress.membrane += p.stress.membrane / pieces;
+    sample.stress.bending += p.stress.bending / pieces;
+    sample.stress.total += p.stress.total / pieces;
   }
-  stress_.add(since, sample.pieces);
-  observe_scatter(since);
+  collect(sample.pieces, since);
+}
+
+template <int D>
+void Observer<D>::collect(const std::vector<PieceSample>& pieces, const Interval& since) {
+  const auto& cloth = simulation_.cloth();
+  std::vector<StressParts> stress;
+  for (const PieceSample& p : pieces) stress.push_back(p.stress);
+  statistics_.add(since, [&](ClothStatistics::Part& part) {
+    part.stress.add(since, stress);
+    for (const auto& g : cloth.groups)
+      for (int p = 0; p < g.pieces; ++p)
+        part.scatter.template add<D>(since, static_cast<std::size_t>(g.first_piece + p),
+                                     cloth.piece(g, p), g.sheet.area);
+  });
 }
 
 template <int D>
@@ -146,17 +160,18 @@ void Observer<D>::observe_rings(Sample& sample) const {
 }
 
 template <int D>
-const Sample& Observer<D>::observe() {
+Sample Observer<D>::observe() {
   Sample sample;
   sample.time = simulation_.time();
-  const double before = samples_.empty() ? sample.time : samples_.back().time;
-  observe_solids(sample);
-  if (simulation_.cloth().pieces() > 0) observe_cloth(sample, {before, sample.time});
+  sample.step = observe_step();
+  for (std::size_t s = 0; s < simulation_.mapping().solids().size(); ++s)
+    sample.solids.push_back(observe_solid(s, sample.time));
+  if (simulation_.cloth().pieces() > 0) observe_cloth(sample, {sampled_, sample.time});
   observe_probes(sample);
   observe_rings(sample);
   if (exact_) sample.error = exact_->compare(simulation_);
-  samples_.push_back(std::move(sample));
-  return samples_.back();
+  sampled_ = sample.time;
+  return sample;
 }
 
 template <int D>
@@ -180,8 +195,9 @@ void Observer<D>::watch(const typename Simulation<D>::Step& step) {
 
 template <int D>
 void Observer<D>::state(Archive& archive) {
-  archive.value("stress", stress_);
-  archive.value("scatter", scatter_);
+  archive.value("cloth", statistics_);
+  archive.value("extremes", extremes_);
+  archive.value("sampled", sampled_);
 }
 
 template class Observer<2>;

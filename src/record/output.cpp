@@ -2,15 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <limits>
+#include <algorithm>
+#include <cmath>
 
+#include "base/error.hpp"
+#include "io/file.hpp"
 #include "io/summary.hpp"
+#include "io/table.hpp"
+#include "record/fields.hpp"
 #include "record/summarise.hpp"
 
 namespace washtub {
 namespace {
-
-constexpr const char* axes[] = {"x", "y", "z"};
 
 /// Whether the last node along an axis meets the first one; a periodic sheet goes on beyond the
 /// box.
@@ -19,12 +22,11 @@ bool closes(const Sheet<D>& sheet, std::size_t axis) {
   return sheet.closed[axis] && sheet.period[axis].isZero(0);
 }
 
-template <int D>
-bool has_rings(const Cloth<D>& cloth) {
-  if constexpr (D == 2)
-    for (const auto& group : cloth.groups)
-      if (is_ring(group.sheet)) return true;
-  return false;
+/// The rows that this run has written.
+CsvTable written(const std::string& path) try {
+  return {path, sound_rows(read_file(path)).text};
+} catch (const InputError& error) {
+  throw RunError(error.what());
 }
 
 }  // namespace
@@ -35,30 +37,26 @@ Output<D>::Output(const Simulation<D>& simulation, const Observer<D>& observer,
     : simulation_(simulation),
       observer_(observer),
       directory_(directory),
-      frames_(directory, simulation.grid().parallel(), D, fluid_grid(simulation.grid().mesh())) {
-  const auto& block = simulation.grid().block();
-  std::size_t cells = 1;
-  for (int d = 0; d < D; ++d) cells *= static_cast<std::size_t>(block.count[d]);
-  velocity_.resize(3 * cells);
-  pressure_.resize(cells);
-  solid_.resize(cells);
-}
+      history_columns_(history_columns(simulation.definition())),
+      track_columns_(track_columns(simulation.definition())),
+      frames_(directory, simulation.grid().parallel(), D, fluid_grid(simulation.grid().mesh())) {}
 
 template <int D>
 void Output<D>::start() {
   if (!simulation_.grid().parallel().root()) return;
-  history_ = std::make_unique<History>(directory_ + "/history.csv", history_columns());
-  if (simulation_.cloth().pieces() > 0)
-    tracks_ = std::make_unique<History>(directory_ + "/tracks.csv", track_columns());
+  history_ = std::make_unique<History>(directory_ + "/history.csv", header(history_columns_));
+  if (!track_columns_.empty())
+    tracks_ = std::make_unique<History>(directory_ + "/tracks.csv", header(track_columns_));
 }
 
 template <int D>
 std::string Output<D>::go_on() {
   frames_.resume(frames_before_);
   if (!simulation_.grid().parallel().root()) return {};
-  history_ = std::make_unique<History>(directory_ + "/history.csv", history_columns(), rows_);
-  if (simulation_.cloth().pieces() > 0)
-    tracks_ = std::make_unique<History>(directory_ + "/tracks.csv", track_columns(), rows_);
+  history_ =
+      std::make_unique<History>(directory_ + "/history.csv", header(history_columns_), rows_);
+  if (!track_columns_.empty())
+    tracks_ = std::make_unique<History>(directory_ + "/tracks.csv", header(track_columns_), rows_);
   if (history_->rows() == rows_ && frames_.frames() == frames_before_) return {};
   return fmt::format("{} of {} rows and {} of {} frames were lost with the interrupted run",
                      rows_ - history_->rows(), rows_, frames_before_ - frames_.frames(),
@@ -80,129 +78,78 @@ void Output<D>::state(Archive& archive) {
 }
 
 template <int D>
-std::vector<Column> Output<D>::history_columns() const {
-  const std::string torque = D == 3 ? "N m" : "N";
-  std::vector<Column> c = {{"time", "s"},      {"step", ""},
-                           {"time step", "s"}, {"courant", ""},
-                           {"divergence", ""}, {"pressure cycles", ""},
-                           {"speed", "m/s"},   {"kinetic energy", D == 3 ? "J" : "J/m"}};
-  for (const auto& s : simulation_.mapping().solids()) {
-    if (s.drive.moving()) {
-      c.push_back({s.name + " angle", "rad"});
-      c.push_back({s.name + " speed", "rad/s"});
-      c.push_back({s.name + " power", D == 3 ? "W" : "W/m"});
-    }
-    for (const char* part : {"", " friction", " pressure", " convection"})
-      c.push_back({s.name + part + " torque", torque});
-    for (int d = 0; d < D; ++d) c.push_back({s.name + " force " + axes[d], D == 3 ? "N" : "N/m"});
-  }
-  if (const auto& exact = simulation_.definition().exact)
-    for (const char* which : {"largest", "rms"})
-      c.push_back({which + std::string(" velocity error"), exact->relative ? "" : "m/s"});
-  if (simulation_.cloth().pieces() == 0) return c;
-  c.insert(c.end(), {{"stress", "Pa"},
-                     {"membrane stress", "Pa"},
-                     {"bending stress", "Pa"},
-                     {"cloth radius", "m"},
-                     {"cloth height", "m"},
-                     {"largest strain", ""},
-                     {"slip", "m/s"},
-                     {"newton steps", ""}});
-  for (const ProbeCase& probe : simulation_.definition().probes)
-    for (int d = 0; d < D; ++d) c.push_back({probe.name + " " + axes[d], "m"});
-  if (has_rings(simulation_.cloth())) c.push_back({"enclosed area", "m^2"});
-  return c;
-}
-
-template <int D>
-std::vector<Column> Output<D>::track_columns() const {
-  std::vector<Column> c = {{"time", "s"}};
-  for (int p = 1; p <= simulation_.cloth().pieces(); ++p) {
-    c.push_back({fmt::format("piece {} r", p), "m"});
-    c.push_back({fmt::format("piece {} z", p), "m"});
-    c.push_back({fmt::format("piece {} stress", p), "Pa"});
-  }
-  return c;
-}
-
-template <int D>
 void Output<D>::add_row(const Sample& sample) {
   ++rows_;
-  if (!history_) return;
-  const auto& step = simulation_.last();
-  std::vector<double> row = {
-      sample.time,     static_cast<double>(step.number),          step.dt,    step.courant,
-      step.divergence, static_cast<double>(step.pressure.cycles), step.speed, step.kinetic};
-  for (std::size_t s = 0; s < sample.solids.size(); ++s) {
-    const auto& solid = sample.solids[s];
-    if (simulation_.mapping().solids()[s].drive.moving())
-      row.insert(row.end(), {solid.angle, solid.speed, -solid.torque * solid.speed});
-    row.insert(row.end(), {solid.torque, solid.friction, solid.pressure, solid.convection});
-    row.insert(row.end(), solid.force.begin(), solid.force.begin() + D);
-  }
-  if (simulation_.definition().exact)
-    row.insert(row.end(), {sample.error.largest, sample.error.rms});
-  if (tracks_) {
-    row.insert(row.end(), {sample.stress.total, sample.stress.membrane, sample.stress.bending,
-                           sample.centre[0], sample.centre[1], step.cloth.largest_strain,
-                           step.cloth.slip, static_cast<double>(step.cloth.iterations)});
-    for (const Vec<3>& x : sample.probes) row.insert(row.end(), x.begin(), x.begin() + D);
-    if (has_rings(simulation_.cloth())) row.push_back(sample.enclosed_area);
-    std::vector<double> tracks = {sample.time};
-    for (std::size_t p = 0; p < sample.centres.size(); ++p)
-      tracks.insert(tracks.end(),
-                    {sample.centres[p][0], sample.centres[p][1], sample.pieces[p].total});
-    tracks_->add(tracks);
-  }
-  history_->add(row);
+  if (history_) history_->add(row(history_columns_, sample));
+  if (tracks_) tracks_->add(row(track_columns_, sample));
 }
 
-/// Cell-centred values: means of the two faces along each axis.
+/// Values of this rank's cells.
 template <int D>
-void Output<D>::add_frame() {
-  const auto& flow = simulation_.flow();
+FluidBlock Output<D>::water() {
   const auto& block = simulation_.grid().block();
-  const auto open = simulation_.mapping().open();
-  std::size_t n = 0;
-  for (int k = 0; k < block.planes(); ++k)
-    for (int j = 0; j < block.rows(); ++j)
-      for (int i = 0; i < block.width(); ++i, ++n) {
-        const long p = block.row(j, k) + i;
-        float open_faces = 0;
-        for (int d = 0; d < D; ++d) {
-          const long s = d == 0 ? 1 : block.stride[d];
-          const double* u = flow.velocity()[d].data();
-          velocity_[3 * n + static_cast<std::size_t>(d)] =
-              static_cast<float>(0.5 * (u[p] + u[p + s]));
-          open_faces = std::max({open_faces, open[d][p], open[d][p + s]});
-        }
-        pressure_[n] = static_cast<float>(flow.pressure().data()[p]);
-        solid_[n] = 1 - open_faces;
-      }
-  Frame frame;
-  frame.time = simulation_.time();
+  FluidBlock fluid;
   for (int d = 0; d < 3; ++d) {
-    frame.fluid.offset[d] = d < D ? block.offset[std::min(d, D - 1)] : 0;
-    frame.fluid.count[d] = d < D ? block.count[std::min(d, D - 1)] : 1;
+    fluid.offset[d] = d < D ? block.offset[std::min(d, D - 1)] : 0;
+    fluid.count[d] = d < D ? block.count[std::min(d, D - 1)] : 1;
   }
-  frame.fluid.velocity = velocity_;
-  frame.fluid.pressure = pressure_;
-  frame.fluid.solid = solid_;
+  const auto& fields = water_fields<D>();
+  water_.resize(fields.size());
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    const auto width = static_cast<std::size_t>(fields[f].field.components);
+    auto& values = water_[f];
+    values.clear();
+    for (int k = 0; k < block.planes(); ++k)
+      for (int j = 0; j < block.rows(); ++j)
+        for (long p = block.row(j, k), end = p + block.width(); p < end; ++p) {
+          values.resize(values.size() + width);
+          fields[f].take(simulation_, p, &values[values.size() - width]);
+        }
+    fluid.fields.push_back({fields[f].field, values});
+  }
+  return fluid;
+}
+
+template <int D>
+std::vector<ClothPiece> Output<D>::cloth() const {
+  std::vector<ClothPiece> pieces;
   const auto& cloth = simulation_.cloth();
   for (const auto& g : cloth.groups)
     for (int p = 0; p < g.pieces; ++p) {
       const auto X = cloth.piece(g, p);
-      const auto first = static_cast<std::size_t>(g.node(p, 0));
-      const auto part = [&](const std::vector<double>& v) {
-        return std::span<const double>(v).subspan(first, X.size());
-      };
-      frame.cloth.push_back({g.sheet.extent,
-                             std::span<const double>(X.front().data(), X.size() * D),
-                             part(observer_.membrane()),
-                             part(observer_.bending()),
-                             part(observer_.total()),
-                             {closes(g.sheet, 0), closes(g.sheet, 1)}});
+      ClothPiece piece{g.sheet.extent,
+                       std::span<const double>(X.front().data(), X.size() * D),
+                       {},
+                       {closes(g.sheet, 0), closes(g.sheet, 1)}};
+      for (const auto& field : cloth_fields<D>())
+        piece.values.push_back(std::span<const double>((observer_.*field.values)())
+                                   .subspan(static_cast<std::size_t>(g.node(p, 0)), X.size()));
+      pieces.push_back(std::move(piece));
     }
+  return pieces;
+}
+
+/// On return all values of the water are finite on all ranks.
+template <int D>
+void Output<D>::check_finite(const FluidBlock& fluid) const {
+  double wrong = 0;  // number of the last such field, from 1
+  for (std::size_t f = 0; f < fluid.fields.size(); ++f)
+    for (const float value : fluid.fields[f].values)
+      if (!std::isfinite(value)) wrong = static_cast<double>(f + 1);
+  wrong = simulation_.grid().parallel().max(wrong);
+  if (wrong > 0)
+    throw RunError(fmt::format(
+        "t = {:.6g} s: the field {} of the water is not finite everywhere, so that its frame was "
+        "not "
+        "written; try a smaller time.step or time.cfl",
+        simulation_.time(), fluid.fields[static_cast<std::size_t>(wrong) - 1].field.label));
+}
+
+template <int D>
+void Output<D>::add_frame() {
+  Frame frame{simulation_.time(), water(), {}, cloth(), {}};
+  check_finite(frame.fluid);
+  for (const auto& field : cloth_fields<D>()) frame.cloth_fields.push_back(field.field);
   for (const auto& s : simulation_.mapping().solids())
     frame.solids.push_back({s.name, s.drive.angle(frame.time)});
   frames_.write(frame);
@@ -210,11 +157,16 @@ void Output<D>::add_frame() {
 
 template <int D>
 void Output<D>::write_summary(const std::string& outcome, double wall_time) const {
-  if (!simulation_.grid().parallel().root()) return;
-  auto summary = summarise(simulation_, observer_, wall_time);
-  summary["run"]["outcome"] = outcome;
-  summary["run"]["frames"] = frames_.frames();
-  washtub::write_summary(directory_ + "/summary.json", summary);
+  const Parallel& parallel = simulation_.grid().parallel();
+  if (!parallel.root()) return;
+  const auto& last = simulation_.last();
+  const RunEnd end{outcome,   last.time,        last.number,         parallel.size(),
+                   wall_time, frames_.frames(), observer_.extremes()};
+  const CsvTable history = written(directory_ + "/history.csv");
+  const auto tracks = tracks_ ? std::optional(written(directory_ + "/tracks.csv")) : std::nullopt;
+  washtub::write_summary(directory_ + "/summary.json",
+                         summarise(simulation_.definition(), end, observer_.cloth(), history,
+                                   tracks ? &*tracks : nullptr));
 }
 
 template class Output<2>;

@@ -4,6 +4,7 @@
 
 #include "io/frame.hpp"
 #include "io/history.hpp"
+#include "record/columns.hpp"
 #include "record/observer.hpp"
 
 namespace washtub {
@@ -27,22 +28,25 @@ class Output {
   void state(Archive& archive);
 
   void add_row(const Sample& sample);  ///< to history.csv and tracks.csv
-  void add_frame();                    ///< collective
+  /// Collective. @throws RunError where the water is not finite, or the frame cannot be written
+  void add_frame();
   /// `outcome`: "complete", "stopped" or the reason of a failure.
   void write_summary(const std::string& outcome, double wall_time) const;
 
  private:
-  std::vector<Column> history_columns() const;
-  std::vector<Column> track_columns() const;
+  FluidBlock water();
+  void check_finite(const FluidBlock& fluid) const;
+  std::vector<ClothPiece> cloth() const;
 
   const Simulation<D>& simulation_;
   const Observer<D>& observer_;
   std::string directory_;
+  std::vector<RecordColumn> history_columns_, track_columns_;
   std::unique_ptr<History> history_, tracks_;  ///< on rank 0
   long rows_ = 0;
   int frames_before_ = 0;  ///< that a run to go on from had written
   FrameWriter frames_;
-  std::vector<float> velocity_, pressure_, solid_;
+  std::vector<std::vector<float>> water_;  ///< this rank's cells, of each of water_fields()
 };
 
 }  // namespace washtub

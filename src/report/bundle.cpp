@@ -6,10 +6,11 @@
 #include <optional>
 
 #include "case/groups.hpp"
+#include "report/columns_index.hpp"
 #include "report/facts.hpp"
 #include "report/frames_index.hpp"
 #include "report/json.hpp"
-#include "report/quantities.hpp"
+#include "report/statistics.hpp"
 #include "report/surface.hpp"
 #include "report/thinning.hpp"
 #include "report/warnings.hpp"
@@ -32,6 +33,13 @@ Json scales_index(const std::optional<Case>& definition) {
 Json window_index(const RunRecord& run) {
   if (!run.definition) return {0, 0};
   return {run.definition->output.window_begin, run.definition->output.window_end};
+}
+
+/// What the statistics rest on.
+Json averaged_index(const RunRecord& run) {
+  if (!run.definition || !run.history) return {0, 0};
+  const Interval over = WindowedHistory(*run.definition, *run.history).averaging().over;
+  return {over.begin, over.end};
 }
 
 /// The case's box, in plane cases the slab of its cells; around the cloth where there is no case.
@@ -95,8 +103,10 @@ Json head(const RunRecord& run, const FrameSet& frames, Chunks& chunks,
   index["groups"] = groups(run);
   index["warnings"] = warnings(run);
   index["quantities"] = quantities(run);
+  index["columns"] = run.history ? columns_index(*run.history) : Json::array();
   index["scales"] = scales_index(run.definition);
   index["window"] = window_index(run);
+  index["averaged"] = averaged_index(run);
   index["case"] = run.case_text;
   index["box"] = {{"lower", triple(whole.lower)}, {"upper", triple(whole.upper)}};
   index["free_surface"] = run.definition && has_free_surface(*run.definition);

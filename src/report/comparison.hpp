@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "report/quantities.hpp"
+#include "report/statistics.hpp"
 
 namespace washtub {
 

@@ -6,6 +6,7 @@
 
 #include "case/description.hpp"
 #include "case/groups.hpp"
+#include "record/names.hpp"
 
 namespace washtub {
 
@@ -21,10 +22,12 @@ std::string duration(double seconds) {
   return fmt::format("{:.0f} h {:.0f} min", std::floor(minutes / 60), std::fmod(minutes, 60));
 }
 
+std::string in_seconds(const char* name) { return std::string(name) + " [s]"; }
+
 /// "16000 of 0.393 ms", "30003 of 0.11 to 0.157 ms".
 std::string steps_text(const RunRecord& run, double steps) {
-  const auto least = summary_number(run, {"run", "smallest step [s]"});
-  const auto largest = summary_number(run, {"run", "largest step [s]"});
+  const auto least = summary_number(run, {names::run, in_seconds(names::smallest_step)});
+  const auto largest = summary_number(run, {names::run, in_seconds(names::largest_step)});
   std::string text = fmt::format("{:.0f}", steps);
   if (!least || !largest || !(*least <= *largest)) return text;
   if (*least < 0.999 * *largest)
@@ -34,7 +37,7 @@ std::string steps_text(const RunRecord& run, double steps) {
 
 /// The time that the run has reached, from its summary or else its history.
 std::optional<double> reached(const RunRecord& run) {
-  if (const auto end = summary_number(run, {"run", "end [s]"})) return end;
+  if (const auto end = summary_number(run, {names::run, in_seconds(names::end)})) return end;
   if (!run.history || run.history->rows() == 0) return {};
   return run.history->columns()[0].values.back();
 }
@@ -42,13 +45,13 @@ std::optional<double> reached(const RunRecord& run) {
 /// What the run took.
 std::vector<Fact> facts_of_run(const RunRecord& run) {
   std::vector<Fact> found;
-  const auto add = [&](const char* key, auto&& text) {
-    if (const auto value = summary_number(run, {"run", key})) found.push_back(text(*value));
+  const auto add = [&](const std::string& key, auto&& text) {
+    if (const auto value = summary_number(run, {names::run, key})) found.push_back(text(*value));
   };
-  add("steps", [&](double n) { return Fact{"steps", steps_text(run, n)}; });
-  add("wall time [s]", [](double t) { return Fact{"wall time", duration(t)}; });
-  add("ranks", [](double n) { return Fact{"ranks", fmt::format("{:.0f}", n)}; });
-  add("million cell-steps per second", [](double rate) {
+  add(names::steps, [&](double n) { return Fact{"steps", steps_text(run, n)}; });
+  add(in_seconds(names::wall_time), [](double t) { return Fact{"wall time", duration(t)}; });
+  add(names::ranks, [](double n) { return Fact{"ranks", fmt::format("{:.0f}", n)}; });
+  add(names::throughput, [](double rate) {
     return Fact{"throughput", fmt::format("{:.3g} million cell steps a second", rate)};
   });
   return found;

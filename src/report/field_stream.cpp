@@ -27,6 +27,7 @@ void FieldStream::add(std::size_t frame, const Lattice& water) {
   velocity_.add(water.velocity);
   plane_ = !water.vorticity.empty();
   if (plane_) vorticity_.add(water.vorticity);
+  add_scalars(water);
   std::vector<std::uint8_t> solid;
   solid.reserve(water.size());
   for (const float s : water.solid)
@@ -34,10 +35,28 @@ void FieldStream::add(std::size_t frame, const Lattice& water) {
   solid_.add(std::span<const std::uint8_t>(solid));
 }
 
+void FieldStream::add_scalars(const Lattice& water) {
+  if (frames_.size() == 1)
+    for (const auto& one : water.scalars) scalars_.emplace_back(one.field);
+  for (Scalar& scalar : scalars_) {
+    const auto* values = find(water.scalars, scalar.field.name);
+    scalar.stream.add(values ? *values : std::vector<float>(water.size(), 0));
+  }
+}
+
 Json FieldStream::finish(Chunks& chunks) {
   Json index = {{"frames", frames_}, {"velocity", velocity_.finish(chunks)}};
   index["vorticity"] = plane_ ? vorticity_.finish(chunks) : Json(nullptr);
   index["solid"] = chunks.add(solid_);
+  index["scalars"] = Json::array();
+  for (auto& [field, stream] : scalars_) {
+    Json scalar = stream.finish(chunks);
+    scalar["name"] = field.name;
+    scalar["label"] = field.label;
+    scalar["unit"] = field.unit;
+    scalar["meaning"] = field.meaning;
+    index["scalars"].push_back(std::move(scalar));
+  }
   return index;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <list>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -15,8 +16,8 @@ class FieldStream {
   void add(std::size_t frame, const Lattice& water);
 
   std::size_t frames() const { return frames_.size(); }
-  /// Ends the streams. Returns "frames", "velocity", "vorticity" and "solid" of a FieldIndex in
-  /// viewer/src/model/bundle.ts.
+  /// Ends the streams. Returns "frames", "velocity", "vorticity", "solid" and "scalars" of a
+  /// FieldIndex in viewer/src/model/bundle.ts.
   nlohmann::ordered_json finish(Chunks& chunks);
 
  private:
@@ -28,8 +29,18 @@ class FieldStream {
     nlohmann::ordered_json finish(Chunks& chunks);
   };
 
+  /// Another field.
+  struct Scalar {
+    explicit Scalar(const FieldDescription& about) : field(about) {}
+    FieldDescription field;
+    Companded stream;
+  };
+  /// Starts the streams of the scalars that the first frame has.
+  void add_scalars(const Lattice& water);
+
   std::vector<std::size_t> frames_;
   Companded velocity_, vorticity_;
+  std::list<Scalar> scalars_;
   Deflater solid_;
   bool plane_ = false;
 };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "record/names.hpp"
+
 namespace washtub {
 namespace {
 
@@ -60,10 +62,15 @@ std::vector<float> vorticity(const std::vector<float>& velocity, std::array<int,
 
 Lattice lattice(const WaterFrame& water, int dimension, const Vec<3>& spacing,
                 std::array<bool, 2> periodic) {
-  Lattice out{water.cells, dimension, {}, {}, water.solid};
+  const auto *velocity = find(water.fields, names::velocity),
+             *solid = find(water.fields, names::solid);
+  if (!velocity || !solid) return {};
+  Lattice out{water.cells, dimension, {}, {}, *solid, {}};
   const std::size_t n = out.size();
   for (std::size_t d = 0; d < static_cast<std::size_t>(dimension); ++d)
-    for (std::size_t c = 0; c < n; ++c) out.velocity.push_back(water.velocity[3 * c + d]);
+    for (std::size_t c = 0; c < n; ++c) out.velocity.push_back((*velocity)[3 * c + d]);
+  for (const auto& one : water.fields)
+    if (one.field.components == 1 && one.field.name != names::solid) out.scalars.push_back(one);
   if (dimension == 2) out.vorticity = vorticity(out.velocity, out.cells, spacing, periodic);
   return out;
 }
@@ -76,7 +83,7 @@ std::array<int, 3> coarse_cells(std::array<int, 3> cells, int times) {
 
 Lattice coarsen(const Lattice& fine) {
   const Coarsening map{fine.cells, coarse_cells(fine.cells, 1)};
-  Lattice out{map.coarse, fine.axes, {}, {}, {}};
+  Lattice out{map.coarse, fine.axes, {}, {}, {}, {}};
   const std::size_t n = product(out.cells);
   std::vector<float> open(fine.size()), total(n, 0), count(n, 0);
   // Cells all in solids count a little, so that a coarse cell of nothing else has a mean as well.
@@ -88,6 +95,10 @@ Lattice coarsen(const Lattice& fine) {
     average(map, open, total, &fine.velocity[d * fine.size()], &out.velocity[d * n]);
   out.solid.assign(n, 0);
   average(map, equal, count, fine.solid.data(), out.solid.data());
+  for (const auto& [field, values] : fine.scalars) {
+    out.scalars.push_back({field, std::vector<float>(n, 0)});
+    average(map, open, total, values.data(), out.scalars.back().values.data());
+  }
   out.vorticity.assign(fine.vorticity.empty() ? 0 : n, 0);
   if (!out.vorticity.empty())
     average(map, open, total, fine.vorticity.data(), out.vorticity.data());

@@ -10,10 +10,11 @@ namespace washtub {
 /// The water on a lattice of cells, x fastest, as a page carries it.
 struct Lattice {
   std::array<int, 3> cells{};
-  int axes = 3;                  ///< components of the velocity: 2 in plane cases
-  std::vector<float> velocity;   ///< [axis][z][y][x], m/s
-  std::vector<float> vorticity;  ///< [y][x] in plane cases, else empty [1/s]
-  std::vector<float> solid;      ///< share within solids, 0 to 1
+  int axes = 3;                               ///< components of the velocity: 2 in plane cases
+  std::vector<float> velocity;                ///< [axis][z][y][x], m/s
+  std::vector<float> vorticity;               ///< [y][x] in plane cases, else empty [1/s]
+  std::vector<float> solid;                   ///< share within solids, 0 to 1
+  std::vector<FieldValues<float>> scalars{};  ///< all others that the frames have
 
   std::size_t size() const { return solid.size(); }
 };

@@ -32,6 +32,13 @@ void check_shape(const FrameSet& set, const std::string& path, const ClothFrame&
   if (cells != set.cells)
     throw InputError(fmt::format("{}: has {} cells where the first frame has {}", path,
                                  fmt::join(cells, " x "), fmt::join(set.cells, " x ")));
+  const auto same = [](const FrameSet::NodeField& known, const FieldValues<double>& one) {
+    return known.field.name == one.field.name;
+  };
+  if (!std::equal(set.fields.begin(), set.fields.end(), cloth.fields.begin(), cloth.fields.end(),
+                  same))
+    throw InputError(
+        fmt::format("{}: its cloth has other fields than that of the first frame", path));
   if (cloth.pieces != set.pieces)
     throw InputError(fmt::format("{}: its cloth is not that of the first frame", path));
   for (const SolidAngle& solid : solids)
@@ -59,14 +66,15 @@ void add(FrameSet& set, int number) {
   check_finite(path, cloth);
   set.cells = cells;
   set.pieces = cloth.pieces;
-  set.nodes = cloth.total.size();
+  set.nodes = cloth.nodes();
   set.numbers.push_back(number);
   set.times.push_back(time);
   for (const SolidAngle& solid : solids) set.angles[solid.name].push_back(solid.angle);
   set.positions.push_back(by_axis(cloth.positions));
-  set.membrane.push_back(as_float(cloth.membrane));
-  set.bending.push_back(as_float(cloth.bending));
-  set.total.push_back(as_float(cloth.total));
+  if (set.size() == 1)
+    for (const auto& one : cloth.fields) set.fields.push_back({one.field, {}});
+  for (std::size_t f = 0; f < set.fields.size(); ++f)
+    set.fields[f].values.push_back(as_float(cloth.fields[f].values));
 }
 
 /// "frames 2, 4 to 7 and 3 gaps more"

@@ -18,8 +18,12 @@ struct FrameSet {
   std::size_t nodes = 0;  ///< of all pieces together
   /// [frame][axis][node], m
   std::vector<std::vector<float>> positions;
-  /// [frame][node], Pa
-  std::vector<std::vector<float>> membrane, bending, total;
+  /// A scalar of the nodes in each frame.
+  struct NodeField {
+    FieldDescription field;
+    std::vector<std::vector<float>> values;  ///< [frame][node]
+  };
+  std::vector<NodeField> fields;
   std::vector<std::string> notes;  ///< sentences on frames that were left out
 
   std::size_t size() const { return times.size(); }

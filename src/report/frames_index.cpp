@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "record/declared.hpp"
 #include "report/field_stream.hpp"
 #include "report/json.hpp"
 #include "report/quantise.hpp"
@@ -28,8 +29,8 @@ Json positions_index(const FrameSet& frames, const Numbers& shown,
   return chunks.add(values);
 }
 
-Json stress_index(const std::vector<std::vector<float>>& stress, const Numbers& shown,
-                  Chunks& chunks) {
+Json stress_index(const FrameSet::NodeField& field, const Numbers& shown, Chunks& chunks) {
+  const auto& stress = field.values;
   double largest = 0;
   for (const std::size_t f : shown) largest = std::max(largest, largest_magnitude(stress[f]));
   Deflater values;
@@ -38,7 +39,7 @@ Json stress_index(const std::vector<std::vector<float>>& stress, const Numbers& 
     for (const float s : stress[f]) small.push_back(quantise_root(s, largest));
     values.add(std::span<const std::uint16_t>(small));
   }
-  return {{"values", chunks.add(values)}, {"largest", largest}};
+  return {{"label", field.field.label}, {"values", chunks.add(values)}, {"largest", largest}};
 }
 
 /// Times, angles and cloth of the frames shown.
@@ -55,9 +56,9 @@ Json cloth_frames(const FrameSet& frames, const Numbers& shown, Chunks& chunks) 
   index["span"] = {{"lower", triple(span[0])}, {"upper", triple(span[1])}};
   index["stress"] = nullptr;
   if (frames.nodes > 0 && !shown.empty())
-    index["stress"] = {{"membrane", stress_index(frames.membrane, shown, chunks)},
-                       {"bending", stress_index(frames.bending, shown, chunks)},
-                       {"total", stress_index(frames.total, shown, chunks)}};
+    for (const auto& one : frames.fields)
+      if (one.field.unit == pascal.name)
+        index["stress"][one.field.name] = stress_index(one, shown, chunks);
   return index;
 }
 

@@ -6,6 +6,8 @@
 
 #include "base/error.hpp"
 #include "io/file.hpp"
+#include "record/declared.hpp"
+#include "record/names.hpp"
 
 namespace washtub {
 
@@ -104,7 +106,7 @@ std::optional<CsvTable> read_columns(RunRecord& run, const char* name, std::stri
                     rows.first_damaged));
   if (rows.text.empty()) return {};
   CsvTable table(name, rows.text);
-  if (table.columns()[0].name == "time") {
+  if (table.columns()[0].name == names::time) {
     text = std::move(rows.text);
     return table;
   }
@@ -119,9 +121,10 @@ std::optional<CsvTable> read_columns(RunRecord& run, const char* name, std::stri
 void check_history(RunRecord& run) {
   if (!run.history) return;
   if (run.history->rows() == 0) run.missing.push_back("history.csv has no rows yet.");
-  std::vector<std::string> expected = {"step", "time step", "courant", "divergence", "speed"};
+  std::vector<std::string> expected = {names::step, names::time_step, names::courant,
+                                       names::divergence, names::speed};
   if (run.definition && !run.definition->cloth.empty())
-    expected.insert(expected.end(), {"stress", "membrane stress", "bending stress"});
+    expected.insert(expected.end(), {names::stress, names::membrane_stress, names::bending_stress});
   for (const std::string& name : expected)
     if (!run.history->find(name))
       run.missing.push_back(
@@ -158,15 +161,15 @@ RunRecord read_run(const std::string& directory) {
 }
 
 std::string outcome(const RunRecord& run) {
-  const Json* text = find(run.summary, {"run", "outcome"});
+  const Json* text = find(run.summary, {names::run, names::outcome});
   return text && text->is_string() ? text->get<std::string>() : "unfinished";
 }
 
 std::optional<int> known_dimension(const RunRecord& run) {
   if (run.definition) return run.definition->dimension;
-  const auto* energy = run.history ? run.history->find("kinetic energy") : nullptr;
+  const auto* energy = run.history ? run.history->find(names::kinetic_energy) : nullptr;
   if (!energy) return {};
-  return energy->unit == "J/m" ? 2 : 3;
+  return energy->unit == joule.in(2) ? 2 : 3;
 }
 
 int dimension(const RunRecord& run) { return known_dimension(run).value_or(3); }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "measure/cycles.hpp"
+#include "record/names.hpp"
 
 namespace washtub {
 namespace {
@@ -34,8 +35,8 @@ std::optional<double> extreme(const RunRecord& run, const std::vector<std::strin
 
 /// Largest ratio of slip and speed among the samples.
 std::optional<double> sampled_slip(const RunRecord& run) {
-  const auto* slip = run.history ? run.history->find("slip") : nullptr;
-  const auto* speed = run.history ? run.history->find("speed") : nullptr;
+  const auto* slip = run.history ? run.history->find(names::slip) : nullptr;
+  const auto* speed = run.history ? run.history->find(names::speed) : nullptr;
   if (!slip || !speed) return {};
   std::optional<double> most;
   for (std::size_t i = 0; i < slip->values.size(); ++i)
@@ -100,16 +101,16 @@ void warn_of_window(const RunRecord& run, Sentences& found) {
 }
 
 void warn_of_cloth(const RunRecord& run, Sentences& found) {
-  const auto recorded = summary_number(run, {"coupling", "largest rms slip / largest speed"});
+  const auto recorded = summary_number(run, {names::coupling, names::largest_slip_share});
   const auto slip = recorded ? recorded : sampled_slip(run);
-  const auto usual = summary_number(run, {"coupling", "mean rms slip / largest speed"});
+  const auto usual = summary_number(run, {names::coupling, names::mean_slip_share});
   if (slip.value_or(0) > slip_bound)
     found.push_back(fmt::format(
         "The cloth slips through the water at up to {:.3g} % of the largest speed{}; below {:.0f} "
         "% is good. Shorter steps (time.step) lower it.",
         100 * *slip, usual ? fmt::format(", {:.2g} % on average", 100 * *usual) : "",
         100 * slip_bound));
-  const auto strain = extreme(run, {"coupling", "largest strain"}, "largest strain");
+  const auto strain = extreme(run, {names::coupling, names::strain}, names::strain);
   if (strain.value_or(0) > strain_bound)
     found.push_back(
         fmt::format("An edge of the cloth was strained by {:.3g} %; its stress is linear in "
@@ -117,7 +118,8 @@ void warn_of_cloth(const RunRecord& run, Sentences& found) {
                     "below {:.0f} %.",
                     100 * *strain, 100 * strain_bound));
   if (!run.definition) return;
-  const auto depth = summary_number(run, {"coupling", "deepest penetration of a solid [m]"});
+  const auto depth =
+      summary_number(run, {names::coupling, std::string(names::penetration) + " [m]"});
   const double edge = smallest_cell_edge(*run.definition);
   if (depth.value_or(0) > depth_bound * edge)
     found.push_back(
@@ -127,12 +129,12 @@ void warn_of_cloth(const RunRecord& run, Sentences& found) {
 }
 
 void warn_of_pressure(const RunRecord& run, Sentences& found) {
-  const auto failed = summary_number(run, {"run", "unconverged pressure solves"});
-  const auto steps = summary_number(run, {"run", "steps"});
+  const auto failed = summary_number(run, {names::run, names::unconverged});
+  const auto steps = summary_number(run, {names::run, names::steps});
   if (failed.value_or(0) > 0)
     found.push_back(fmt::format("The pressure did not converge in {:.0f}{} steps.", *failed,
                                 steps ? fmt::format(" of {:.0f}", *steps) : ""));
-  const auto divergence = extreme(run, {"run", "largest divergence h/U"}, "divergence");
+  const auto divergence = extreme(run, {names::run, names::largest_divergence}, names::divergence);
   if (run.definition && divergence.value_or(0) > run.definition->solver.divergence * (1 + 1e-6))
     found.push_back(
         fmt::format("The largest divergence of the water is {:.2g} U/h, the solver's target {:.2g} "
@@ -142,8 +144,8 @@ void warn_of_pressure(const RunRecord& run, Sentences& found) {
 
 /// Share of the samples at which the Courant number, not time.step, set the step.
 double share_of_short_steps(const RunRecord& run) {
-  const auto* steps = run.history ? run.history->find("time step") : nullptr;
-  const auto* courant = run.history ? run.history->find("courant") : nullptr;
+  const auto* steps = run.history ? run.history->find(names::time_step) : nullptr;
+  const auto* courant = run.history ? run.history->find(names::courant) : nullptr;
   const TimeCase& time = run.definition->time;
   if (!steps || !courant || time.fixed || time.step <= 0) return 0;
   std::size_t shorter = 0;
@@ -156,7 +158,7 @@ double share_of_short_steps(const RunRecord& run) {
 void warn_of_steps(const RunRecord& run, Sentences& found) {
   if (!run.definition) return;
   const TimeCase& time = run.definition->time;
-  const auto courant = extreme(run, {"run", "largest courant number"}, "courant");
+  const auto courant = extreme(run, {names::run, names::largest_courant}, names::courant);
   if (courant.value_or(0) > 1.01 * time.cfl)
     found.push_back(
         fmt::format("The largest Courant number is {:.3g}, above the limit of {:.3g} "

@@ -6,8 +6,6 @@
 #include <fstream>
 #include <iterator>
 
-#include "case/case.hpp"
-
 using testing::HasSubstr;
 using washtub::testing::Outcome;
 using washtub::testing::Program;
@@ -109,9 +107,13 @@ TEST_F(Program, CheckPrintsThePapersGroups) {
     EXPECT_THAT(text, HasSubstr(part));
 }
 
-TEST(Reference, PageOfTheDocumentsIsCurrent) {
-  std::ifstream file("docs/input.md");
-  const std::string page{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  EXPECT_EQ(page, washtub::input_reference())
-      << "write it anew with: ./washtub reference > docs/input.md";
+TEST_F(Program, PagesOfTheDocumentsAreCurrent) {
+  const auto expect = [&](const std::string& name, const std::string& command) {
+    std::ifstream file("docs/" + name);
+    const std::string page{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    EXPECT_EQ(page, run(command).text)
+        << "write it anew with: ./washtub " << command << " > docs/" << name;
+  };
+  expect("input.md", "reference");
+  expect("output.md", "reference --output");
 }

@@ -49,6 +49,8 @@ TEST(History, HeaderCarriesUnitsAndRowsAreOnDiskAtOnce) {
   EXPECT_EQ(contents(dir / "history.csv"), "time [s],outer torque [N m],steps\n0.5,-1.25e-07,12\n");
   history.add(std::vector<double>{1, std::nan(""), 13});
   EXPECT_THAT(contents(dir / "history.csv"), HasSubstr("\n1,,13\n"));
+  history.add(std::vector<double>{0.1 + 0.2, std::numeric_limits<double>::infinity(), 1.0 / 3});
+  EXPECT_THAT(contents(dir / "history.csv"), HasSubstr("\n0.30000000000000004,,0.333333333\n"));
 }
 
 TEST(History, FullDiskIsReported) {

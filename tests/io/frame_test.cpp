@@ -23,6 +23,9 @@ float value_at(int i, int j, int k) { return static_cast<float>(i + 10 * j + 100
 
 /// This rank's share of the grid, in slabs of z, and a flat plate of 3 x 2 nodes.
 struct Sample {
+  const FieldDescription velocity_field{"velocity", "velocity", "m/s", 3, "of the water"};
+  const FieldDescription pressure_field{"pressure", "pressure", "Pa", 1, ""};
+  const FieldDescription solid_field{"solid", "solid fraction", "", 1, ""};
   std::vector<float> velocity, pressure, solid;
   std::vector<double> positions, membrane, bending, total;
   Frame frame;
@@ -42,8 +45,13 @@ struct Sample {
     bending.assign(6, 0.5);
     for (const double m : membrane) total.push_back(m + 0.5);
     frame = {time,
-             {{0, 0, first}, {4, 3, last - first}, velocity, pressure, solid},
-             {{{3, 2}, positions, membrane, bending, total}},
+             {{0, 0, first},
+              {4, 3, last - first},
+              {{velocity_field, velocity}, {pressure_field, pressure}, {solid_field, solid}}},
+             {{"membrane", "membrane stress", "Pa", 1, ""},
+              {"bending", "bending stress", "Pa", 1, ""},
+              {"total", "total stress", "Pa", 1, ""}},
+             {{{3, 2}, positions, {membrane, bending, total}, {}}},
              {{"agitator", 2 * time}}};
   }
 };
@@ -119,13 +127,14 @@ TEST(Frame, ThreadsInThePlaneBecomeLinesAtZeroHeight) {
   const Parallel parallel;
   const Scratch dir(Scratch::For::all_ranks);
   FrameWriter writer(dir.path(), parallel, 2, {{1, 1, 1}, {0, 0, -1}, {1, 1, 1}});
-  const std::vector<float> value(parallel.root() ? 1 : 0), vector(3 * value.size());
+  const std::vector<float> value(parallel.root() ? 1 : 0);
   const std::vector<double> x = {1, 2, 3, 4, 5, 6}, y = {7, 8, 9, 10}, s = {1, 2, 3};
   const std::span<const double> two(s.data(), 2);
   const int n = parallel.root();
   writer.write({1,
-                {{0, 0, 0}, {n, n, n}, vector, value, value},
-                {{{1, 3}, x, s, s, s}, {{1, 2}, y, two, two, two}},
+                {{0, 0, 0}, {n, n, n}, {{{"salt", "salt", "kg/m^3", 1, ""}, value}}},
+                {{"total", "total stress", "Pa", 1, ""}},
+                {{{1, 3}, x, {s}, {}}, {{1, 2}, y, {two}, {}}},
                 {}});
   const std::string file = dir / "frames/frame_000000.h5";
   EXPECT_THAT(read<double>(file, "cloth/positions", H5T_NATIVE_DOUBLE),
@@ -193,7 +202,7 @@ TEST(Frame, FullDiskIsReportedAndLeavesNothing) {
 TEST(Frame, WrongSizesAreNamed) {
   Written w;
   Sample sample(w.parallel, 1);
-  sample.frame.fluid.pressure = {};
+  sample.frame.fluid.fields[1].values = {};
   EXPECT_THAT([&] { w.writer.write(sample.frame); },
               ::testing::ThrowsMessage<RunError>(HasSubstr("fluid/pressure: 0 values for")));
 }

@@ -44,10 +44,17 @@ std::vector<std::string> all(const std::string& text, const std::string& pattern
 
 const FluidGrid grid = {{4, 3, 6}, {-1, -2, 0}, {0.5, 1, 0.25}};
 
+const FrameFields fields = {{{"velocity", "velocity", "m/s", 3, ""},
+                             {"pressure", "pressure", "Pa", 1, ""},
+                             {"solid", "solid fraction", "", 1, ""}},
+                            {{"total", "total stress", "Pa", 1, ""}}};
+
 FrameIndex two_frames() {
   FrameIndex index;
-  index.add(0.1, "frames/frame_000000.h5", grid, {6, 2, 4}, {{"angle of a & b [rad]", 0.25}});
-  index.add(0.2, "frames/frame_000001.h5", grid, {6, 2, 4}, {{"angle of a & b [rad]", 0.5}});
+  index.add(0.1, "frames/frame_000000.h5", grid, {6, 2, 4}, fields,
+            {{"angle of a & b [rad]", 0.25}});
+  index.add(0.2, "frames/frame_000001.h5", grid, {6, 2, 4}, fields,
+            {{"angle of a & b [rad]", 0.5}});
   return index;
 }
 
@@ -70,7 +77,7 @@ TEST(Xdmf, OneFluidAndOneClothThroughAllTimes) {
 
 TEST(Xdmf, WithoutClothThereIsNoMeshOfIt) {
   FrameIndex index;
-  index.add(0, "f.h5", grid, {}, {});
+  index.add(0, "f.h5", grid, {}, fields, {});
   EXPECT_THAT(index.text(), Not(HasSubstr("cloth")));
   FrameIndex again;
   again.restore(index.text(), 1);
@@ -84,7 +91,7 @@ TEST(Xdmf, ParaViewsFileIncludesAllFrames) {
 
 TEST(Xdmf, FluidIsDescribedSlowestAxisFirst) {
   FrameIndex index;
-  index.add(0, "f.h5", grid, {}, {});
+  index.add(0, "f.h5", grid, {}, fields, {});
   const std::string text = index.text();
   EXPECT_THAT(all(text, "3DCoRectMesh\" Dimensions=\"([^\"]*)\""), ElementsAre("7 4 5"));
   EXPECT_THAT(all(text, "Format=\"XML\"[^>]*>([^<]*)<"), ElementsAre("0 -2 -1", "0.25 1 0.5"));
@@ -92,6 +99,8 @@ TEST(Xdmf, FluidIsDescribedSlowestAxisFirst) {
               ElementsAre("6 3 4 3", "6 3 4", "6 3 4"));
   EXPECT_THAT(all(text, ">(f.h5:[^<]*)<"),
               ElementsAre("f.h5:/fluid/velocity", "f.h5:/fluid/pressure", "f.h5:/fluid/solid"));
+  EXPECT_THAT(all(text, "Attribute Name=\"([^\"]*)\""),
+              ElementsAre("velocity [m/s]", "pressure [Pa]", "solid fraction"));
 }
 
 TEST(Xdmf, ClothIsQuadrilateralsOrLines) {
@@ -99,7 +108,7 @@ TEST(Xdmf, ClothIsQuadrilateralsOrLines) {
   EXPECT_THAT(plates, HasSubstr("\"Quadrilateral\" NumberOfElements=\"2\""));
   EXPECT_THAT(plates, HasSubstr("Dimensions=\"2 4\""));
   FrameIndex threads;
-  threads.add(0, "f.h5", grid, {5, 3, 2}, {});
+  threads.add(0, "f.h5", grid, {5, 3, 2}, fields, {});
   EXPECT_THAT(threads.text(),
               HasSubstr("\"Polyline\" NodesPerElement=\"2\" NumberOfElements=\"3\""));
   EXPECT_THAT(threads.text(), HasSubstr("Dimensions=\"5 3\""));

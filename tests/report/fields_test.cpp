@@ -30,6 +30,28 @@ TEST(Coarsen, IsTheMeanOfTheOpenCells) {
   EXPECT_NEAR(coarse.velocity[2], 1, 1e-6);
 }
 
+/// A field that only its declaration knows is averaged like the velocity.
+TEST(Coarsen, TakesEveryScalarAlong) {
+  Lattice fine = plane({0, 1, 0, 0, 1, 1, 0, 0.5});
+  fine.scalars = {{{"salt", "salt", "kg/m^3", 1, ""}, {0, 1, 2, 3, 4, 5, 6, 7}}};
+  const Lattice coarse = coarsen(fine);
+  ASSERT_EQ(coarse.scalars.size(), 1U);
+  EXPECT_EQ(coarse.scalars[0].field.name, "salt");
+  EXPECT_NEAR(coarse.scalars[0].values[1], (2 + 3 + 6 + 0.5 * 7) / 3.5, 1e-4);
+}
+
+TEST(Lattice, HasEveryScalarOfTheFrames) {
+  const FieldDescription salt{"salt", "salt", "kg/m^3", 1, ""};
+  const WaterFrame water{{2, 1, 1},
+                         {{salt, {7, 8}},
+                          {{"solid", "solid fraction", "", 1, ""}, {0, 1}},
+                          {{"velocity", "velocity", "m/s", 3, ""}, {1, 2, 3, 4, 5, 6}}}};
+  const Lattice all = lattice(water, 3, Vec<3>::Ones(), {});
+  ASSERT_EQ(all.scalars.size(), 1U);
+  EXPECT_EQ(all.scalars[0].field, salt);
+  EXPECT_THAT(all.velocity, ElementsAre(1, 4, 2, 5, 3, 6));
+}
+
 TEST(Coarsen, InSolidsIsThePlainMean) {
   const Lattice coarse = coarsen(plane({1, 1, 1, 1, 1, 1, 1, 1}));
   EXPECT_NEAR(coarse.velocity[0], 2.5, 1e-5);

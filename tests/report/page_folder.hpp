@@ -53,10 +53,21 @@ struct MadeFrames {
     }
     const std::span<const double> places(x), stresses(s);
     const std::size_t width = each * static_cast<std::size_t>(dimension);
-    Frame frame{time(f), {{0, 0, 0}, cells, u, pressure, solid}, {}, {{"agitator", 0.1 * f}}};
+    const auto stress_field = [](const std::string& name) {
+      return FieldDescription{name, name + " stress", "Pa", 1, ""};
+    };
+    Frame frame{time(f),
+                {{0, 0, 0},
+                 cells,
+                 {{{"velocity", "velocity", "m/s", 3, ""}, u},
+                  {{"pressure", "pressure", "Pa", 1, ""}, pressure},
+                  {{"solid", "solid fraction", "", 1, ""}, solid}}},
+                {stress_field("membrane"), stress_field("bending"), stress_field("total")},
+                {},
+                {{"agitator", 0.1 * f}}};
     for (std::size_t p = 0; cloth && p < 2; ++p) {
       const auto part = stresses.subspan(p * each, each);
-      frame.cloth.push_back({nodes, places.subspan(p * width, width), part, part, part, {}});
+      frame.cloth.push_back({nodes, places.subspan(p * width, width), {part, part, part}, {}});
     }
     writer.write(frame);
   }

@@ -77,6 +77,7 @@ TEST(Page, HoldsTheClothAsItWasWritten) {
   const auto s = page.chunk<std::uint16_t>(frames["stress"]["total"]["values"]);
   ASSERT_EQ(q.size(), 5U * 3 * 24);
   const double largest = frames["stress"]["total"]["largest"];
+  EXPECT_EQ(frames["stress"]["total"]["label"], "total stress");
   EXPECT_EQ(largest, made.stress(4, 23));
   for (std::size_t f = 0; f < 5; ++f)
     for (std::size_t n = 0; n < 24; ++n) {
@@ -99,6 +100,10 @@ TEST(Page, HoldsTheWaterAsItWasWritten) {
   EXPECT_TRUE(fields["vorticity"].is_null());
   const auto q = page.chunk<std::int8_t>(fields["velocity"]["values"]);
   ASSERT_EQ(q.size(), 5 * 3 * made.size());
+  ASSERT_EQ(fields["scalars"].size(), 1U);
+  EXPECT_EQ(fields["scalars"][0]["label"], "pressure");
+  EXPECT_EQ(fields["scalars"][0]["unit"], "Pa");
+  EXPECT_EQ(page.chunk<std::int8_t>(fields["scalars"][0]["values"]).size(), 5 * made.size());
   const double largest = fields["velocity"]["largest"][3];
   for (std::size_t d = 0; d < 3; ++d)
     for (std::size_t c = 0; c < made.size(); ++c) {

@@ -5,8 +5,8 @@
 
 #include "base/error.hpp"
 #include "report/facts.hpp"
-#include "report/quantities.hpp"
 #include "report/run_folder.hpp"
+#include "report/statistics.hpp"
 #include "report/warnings.hpp"
 
 namespace washtub {

@@ -25,7 +25,9 @@ export interface RunIndex {
   notes: string[]; // what was thinned, what is missing
   quantities: Quantity[]; // statistics over the window
   scales: { stress: number; torque: number; length: number; period: number }; // 0 = none
-  window: [number, number]; // of the statistics [s]
+  columns: ColumnIndex[]; // what is declared of the columns of history.csv
+  window: [number, number]; // of the statistics, as the case has it [s]
+  averaged: [number, number]; // what of it they rest on: its whole cycles [s]
   case: string; // case.toml
   history: Chunk | null; // history.csv as it is
   tracks: Chunk | null; // tracks.csv as it is
@@ -53,10 +55,28 @@ export interface Group {
 export interface Quantity {
   name: string;
   unit: string;
+  meaning: string;
   mean: number;
   half_width: number | null;
   batches: number;
   scaled: { mean: number; half_width: number | null; by: string } | null; // by "sigma_o"
+}
+
+/** A column of history.csv and where its curve is drawn; columns that are not listed are drawn too. */
+export interface ColumnIndex {
+  name: string;
+  meaning: string; // in a few words
+  fold: string; // of the page
+  plot: string; // its title; columns of one title share a plot
+  axis: string; // name of the vertical axis
+  curve: string; // in the legend
+  scale: 'stress' | 'torque' | '';
+  shown: boolean; // at first
+  logarithmic: boolean;
+  instants: boolean; // drawn with a running mean
+  statistic: string; // whose mean belongs to the curve; "" = none
+  integral: string; // title of the plot of its integral over each cycle; "" = none
+  integral_statistic: string;
 }
 
 export interface SolidIndex {
@@ -78,7 +98,7 @@ export interface FrameIndex {
   angles: Record<string, number[]>; // per moving solid
   positions: Chunk | null; // uint16 [frame][axis][node]: lower + q (upper - lower)/65535 of `span`
   span: { lower: Vec3; upper: Vec3 };
-  stress: Record<'membrane' | 'bending' | 'total', { values: Chunk; largest: number }> | null;
+  stress: Record<string, { label: string; values: Chunk; largest: number }> | null; // per kind
   // uint16 [frame][node]: largest (q/65535)^2 [Pa]
   fields: FieldIndex | null;
 }
@@ -92,6 +112,15 @@ export interface FieldIndex {
   velocity: Companded; // int8 [frame][axis][z][y][x], axes x y (z) as the dimension says [m/s]
   vorticity: Companded | null; // int8 [frame][y][x], 2-D only [1/s]
   solid: Chunk; // uint8 [frame][z][y][x]: 255 where the cell is all solid
+  scalars: ScalarIndex[]; // all other fields of the run
+}
+
+/** A scalar of the water as the program declares it, int8 [frame][z][y][x]. */
+export interface ScalarIndex extends Companded {
+  name: string;
+  label: string; // "pressure"
+  unit: string;
+  meaning: string;
 }
 
 /** int8 q stands for sign(q) largest (q/127)^2, with one `largest` per frame. */

@@ -11,9 +11,29 @@ export interface Field {
   velocity: Int8Array; // [frame][axis][cell]
   vorticity: Int8Array | null; // [frame][cell], 2-D only
   solid: Uint8Array; // [frame][cell], 255 where all solid
+  scalars: Record<string, Int8Array>; // [frame][cell] of each
 }
 
-export type FieldQuantity = 'speed' | 'vorticity' | 'x' | 'y' | 'z';
+/** "speed", "vorticity", a component "x", "y" or "z" of the velocity, or the name of a scalar. */
+export type FieldQuantity = string;
+
+/** What the page calls them; scalars bring their own names. */
+const VELOCITY: Record<string, { label: string; unit: string }> = {
+  speed: { label: 'speed', unit: 'm/s' },
+  vorticity: { label: 'vorticity', unit: '1/s' },
+  x: { label: 'velocity along x', unit: 'm/s' },
+  y: { label: 'velocity along y', unit: 'm/s' },
+  z: { label: 'velocity along z', unit: 'm/s' },
+};
+
+/** Name of a quantity in words, and its unit. */
+export function wordsFor(
+  { index }: Pick<Field, 'index'>,
+  quantity: FieldQuantity,
+): { label: string; unit: string } {
+  const known = VELOCITY[quantity] ?? index.scalars.find(({ name }) => name === quantity);
+  return known ? { label: known.label, unit: known.unit } : { label: quantity, unit: '' };
+}
 
 export async function loadField(index: RunIndex, read: ChunkReader): Promise<Field | null> {
   const fields = index.frames.fields;
@@ -26,12 +46,18 @@ export async function loadField(index: RunIndex, read: ChunkReader): Promise<Fie
     velocity: toInt8(await read(fields.velocity.values)),
     vorticity: fields.vorticity ? toInt8(await read(fields.vorticity.values)) : null,
     solid: await read(fields.solid),
+    scalars: Object.fromEntries(
+      await Promise.all(
+        fields.scalars.map(async ({ name, values }) => [name, toInt8(await read(values))] as const),
+      ),
+    ),
   };
   const values = fields.frames.length * field.cells;
   const whole =
     field.velocity.length === values * field.axes &&
     field.solid.length === values &&
-    (field.vorticity === null || field.vorticity.length === values);
+    (field.vorticity === null || field.vorticity.length === values) &&
+    Object.values(field.scalars).every(({ length }) => length === values);
   if (!whole)
     throw new DataError('The data of this page are damaged: the water has not all its frames.');
   return field;
@@ -52,12 +78,13 @@ export function expansion(largest: number): Float32Array {
 
 /** Quantities that the field can show. */
 export function quantitiesOf(field: Field): FieldQuantity[] {
+  const scalars = Object.keys(field.scalars);
   return field.axes === 2
-    ? [...(field.vorticity ? (['vorticity'] as const) : []), 'speed', 'x', 'y']
-    : ['speed', 'x', 'y', 'z'];
+    ? [...(field.vorticity ? ['vorticity'] : []), 'speed', 'x', 'y', ...scalars]
+    : ['speed', 'x', 'y', 'z', ...scalars];
 }
 
-/** Writes the values of a quantity in all cells of a field's frame into `out` [m/s or 1/s]. */
+/** Writes the values of a quantity in all cells of a field's frame into `out`, SI. */
 export function quantityOf(
   field: Field,
   quantity: FieldQuantity,
@@ -65,9 +92,14 @@ export function quantityOf(
   out: Float32Array,
 ): void {
   if (quantity === 'vorticity') return vorticityOf(field, frame, out);
+  const scalar = field.scalars[quantity];
+  if (scalar) {
+    const about = field.index.scalars.find(({ name }) => name === quantity)!;
+    return expand(scalar, frame * field.cells, expansion(about.largest[frame] ?? 0), out);
+  }
   const table = expansion(field.index.velocity.largest[frame] ?? 0);
   if (quantity === 'speed') return speedOf(field, frame, table, out);
-  const axis = { x: 0, y: 1, z: 2 }[quantity];
+  const axis = 'xyz'.indexOf(quantity);
   expand(field.velocity, (frame * field.axes + axis) * field.cells, table, out);
 }
 

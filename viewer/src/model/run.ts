@@ -21,8 +21,8 @@ export interface SolidMesh {
   triangles: Uint32Array;
 }
 
-export type StressKind = 'membrane' | 'bending' | 'total';
-export const STRESS_KINDS: readonly StressKind[] = ['total', 'membrane', 'bending'];
+/** Name of the field: "total", "membrane", "bending". */
+export type StressKind = string;
 
 /** The cloth's frames as they came: sixteen-bit numbers. */
 export interface Motion {
@@ -32,7 +32,7 @@ export interface Motion {
   positions: Uint16Array; // [frame][axis][node]
   lower: readonly number[]; // position of 0 [m]
   scale: readonly number[]; // of one step [m]
-  stress: Partial<Record<StressKind, { values: Uint16Array; largest: number }>>;
+  stress: Record<StressKind, { label: string; values: Uint16Array; largest: number }>;
   centres: Float32Array; // [frame][piece][3] mean of the piece's nodes [m]
   turning: Turning | null; // null where no solid moves
 }
@@ -92,15 +92,13 @@ function turningOf(index: RunIndex, motion: Positions): Turning | null {
 
 async function loadStress(index: RunIndex, read: ChunkReader): Promise<Motion['stress']> {
   const stress: Motion['stress'] = {};
-  for (const kind of STRESS_KINDS) {
-    const part = index.frames.stress?.[kind];
-    if (!part) continue;
+  for (const [kind, part] of Object.entries(index.frames.stress ?? {})) {
     const values = toUint16(await read(part.values));
     if (values.length !== index.frames.times.length * index.cloth!.nodes)
       throw new DataError(
-        `The data of this page are damaged: the ${kind} stress has not all its frames.`,
+        `The data of this page are damaged: the ${part.label} has not all its frames.`,
       );
-    stress[kind] = { values, largest: part.largest };
+    stress[kind] = { label: part.label, values, largest: part.largest };
   }
   return stress;
 }

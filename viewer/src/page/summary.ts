@@ -55,7 +55,7 @@ export function footnotes(quantities: readonly Quantity[], cycles: boolean): str
 }
 
 /** Window of the statistics in words. */
-export function windowText({ window: [from, to], scales: { period } }: RunIndex): string {
+export function windowText({ averaged: [from, to], scales: { period } }: RunIndex): string {
   if (!(to > from)) return 'Half width of the 95 % interval of the mean; the window is not known.';
   const cycles = period > 0 ? `, ${Number(((to - from) / period).toPrecision(3))} cycles` : '';
   const times = `${formatNumber(from, 4)} s to ${formatNumber(to, 4)} s`;

@@ -1,6 +1,5 @@
-import type { FieldQuantity } from '../model/field';
 import type { Store } from '../model/store';
-import type { Choices, ClothColour, RangeChoice, Settings, SliceChoice } from '../scene/settings';
+import type { Choices, RangeChoice, Settings, SliceChoice } from '../scene/settings';
 import { button, make, select, slider, tick } from '../dom';
 
 /** What the buttons do beyond changing the settings. */
@@ -12,12 +11,6 @@ export interface Actions {
   keys(): void;
 }
 
-const COLOURS: Record<ClothColour, string> = {
-  piece: 'piece',
-  total: 'total stress',
-  membrane: 'membrane stress',
-  bending: 'bending stress',
-};
 const RANGES: [RangeChoice, string][] = [
   ['most', '98 % of the run'],
   ['run', 'whole run'],
@@ -29,13 +22,6 @@ const SLICES: [SliceChoice, string][] = [
   ['horizontal', 'horizontal'],
   ['both', 'both'],
 ];
-const QUANTITIES: Record<FieldQuantity, string> = {
-  vorticity: 'vorticity',
-  speed: 'speed',
-  x: 'velocity along x',
-  y: 'velocity along y',
-  z: 'velocity along z',
-};
 
 /** Choices of what the views show. */
 export function buildToolbar(
@@ -55,7 +41,7 @@ export function buildToolbar(
 function clothGroup(settings: Store<Settings>, choices: Choices): HTMLElement {
   const colour = select(
     'colour by',
-    choices.colours.map((value) => [value, COLOURS[value]] as const),
+    choices.colours.map((value) => [value, choices.words[value] ?? value] as const),
     (value) => settings.set({ colour: value }),
   );
   const range = select('colours span', RANGES, (value) => settings.set({ range: value }));
@@ -91,7 +77,7 @@ function waterGroup(settings: Store<Settings>, choices: Choices): HTMLElement {
   );
   const quantity = select(
     'shows',
-    choices.quantities.map((value) => [value, QUANTITIES[value]] as const),
+    choices.quantities.map((value) => [value, choices.words[value] ?? value] as const),
     (value) => settings.set({ quantity: value }),
   );
   const angle = slider('angle', [0, 180, 1], (value) => settings.set({ angle: value }));

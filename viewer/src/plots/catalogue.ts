@@ -46,7 +46,8 @@ function makeCurve(wanted: Wanted, taken: Taken, style: Style): Curve {
   const shown = wanted.shown !== false;
   const until = taken.end ?? null;
   const width = until === null ? 1.5 : 2.5;
-  return { ...style, column: wanted.column, times, values, width, until, shown, faint: false };
+  const { column, meaning = '' } = wanted;
+  return { ...style, column, meaning, times, values, width, until, shown, faint: false };
 }
 
 /** The curve, with its running mean where one is wanted and the rows are close enough. */
@@ -69,7 +70,7 @@ function bandOf(run: RunTables, wanted: Wanted, unit: string, curve: Curve): Mea
   const fits = (q: Quantity) => q.name === wanted.quantity && q.unit === unit;
   const quantity = run.index.quantities.find(fits);
   if (!quantity) return [];
-  const [from, to] = run.index.window;
+  const [from, to] = run.index.averaged;
   return [{ curve, mean: quantity.mean, halfWidth: quantity.half_width, from, to }];
 }
 
@@ -156,7 +157,7 @@ function isOpen(section: string, hasCloth: boolean): boolean {
  */
 export function catalogue(runs: RunTables[]): Section[] {
   const sections = new Map<string, TimePlotSpec[]>();
-  for (const entry of entriesFor(runs.flatMap(({ history }) => history ?? []))) {
+  for (const entry of entriesFor(runs)) {
     for (const part of runs.length > 1 ? separate(entry) : [entry]) {
       const styled = runs.length > 1 ? acrossRuns(part, runs) : withinRun(part);
       const plot = plotOf(runs, part, styled);

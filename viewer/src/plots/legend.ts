@@ -76,7 +76,8 @@ function buildEntry(curve: Curve) {
   if (curve.faint) line.style.opacity = '0.45';
   const value = element('span', { class: 'plot-value' }, '–');
   const label = element('span', { class: 'plot-label' }, curve.label);
-  const title = 'Show or hide; a double click or Shift + Enter shows this one alone, and again all';
+  const use = 'Show or hide; a double click or Shift + Enter shows this one alone, and again all';
+  const title = curve.meaning === '' ? use : `${curve.label}: ${curve.meaning}. ${use}`;
   const toggle = element(
     'button',
     { type: 'button', title, 'aria-pressed': String(curve.shown) },

@@ -24,6 +24,7 @@ function curvesOf(run: RunTables, number: number, what: string): Curve[] {
       until: null,
       shown: true,
       faint: false,
+      meaning: '',
     };
     return values ? [{ ...style, column, label: String(piece), run: number, times, values }] : [];
   });

@@ -12,6 +12,7 @@ export interface RunTables {
 export interface Curve {
   column: string; // its name in history.csv, or one like it for what is computed here
   label: string; // in the legend
+  meaning: string; // of the column, or ""
   run: number; // number of the run
   times: Float64Array;
   values: Float64Array;

@@ -5,6 +5,7 @@ import type { RunTables } from './spec';
 export interface Wanted {
   column: string;
   label: string;
+  meaning?: string; // shown where the pointer rests on the label
   shown?: boolean; // false: listed in the legend but off at first
   smooth?: boolean; // drawn faintly, with a running mean over a twentieth of a cycle
   quantity?: string; // of the statistics, whose mean over the window belongs to the curve

@@ -1,3 +1,4 @@
+import { wordsFor, type Field } from '../model/field';
 import type { LoadedRun } from '../model/run';
 import type { ColourMap } from './colours';
 import type { Ranges } from './ranges';
@@ -16,14 +17,6 @@ export interface Legend {
   open: boolean; // whether larger values occur, at both ends where `low` is negative
 }
 
-const QUANTITIES = {
-  speed: 'speed',
-  vorticity: 'vorticity',
-  x: 'velocity along x',
-  y: 'velocity along y',
-  z: 'velocity along z',
-};
-
 export function legendsOf(
   run: LoadedRun,
   settings: Readonly<Settings>,
@@ -33,7 +26,8 @@ export function legendsOf(
   const legends: Legend[] = [];
   if (settings.colour !== 'piece' && settings.cloth && run.motion)
     legends.push(stressLegend(run, settings, ranges, theme));
-  if (settings.slice !== 'off' && run.field) legends.push(fieldLegend(settings, ranges, theme));
+  if (settings.slice !== 'off' && run.field)
+    legends.push(fieldLegend(run.field, settings, ranges, theme));
   return legends;
 }
 
@@ -46,7 +40,7 @@ function stressLegend(
   const [unit, factor] = pascals(ranges.stress);
   const sigma = run.index.scales.stress;
   return {
-    title: `${colour} stress`,
+    title: run.motion?.stress[colour]?.label ?? colour,
     unit,
     low: 0,
     high: ranges.stress * factor,
@@ -62,11 +56,17 @@ export function pascals(stress: number): [string, number] {
   return stress >= 2e3 ? ['kPa', 1e-3] : ['Pa', 1];
 }
 
-function fieldLegend({ quantity }: Readonly<Settings>, ranges: Ranges, theme: Theme): Legend {
+function fieldLegend(
+  field: Field,
+  { quantity }: Readonly<Settings>,
+  ranges: Ranges,
+  theme: Theme,
+): Legend {
   const { map, signed } = mapFor(quantity, theme);
+  const { label, unit } = wordsFor(field, quantity);
   return {
-    title: QUANTITIES[quantity],
-    unit: quantity === 'vorticity' ? '1/s' : 'm/s',
+    title: label,
+    unit,
     low: signed ? -ranges.field : 0,
     high: ranges.field,
     map,

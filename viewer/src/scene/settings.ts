@@ -1,6 +1,6 @@
 import type { FieldQuantity } from '../model/field';
-import { quantitiesOf } from '../model/field';
-import { STRESS_KINDS, type LoadedRun, type StressKind } from '../model/run';
+import { quantitiesOf, wordsFor } from '../model/field';
+import type { LoadedRun, StressKind } from '../model/run';
 
 export type ClothColour = 'piece' | StressKind;
 /** Upper end of the stress colours: 98 % of the run's values, the run's largest, the frame's. */
@@ -25,6 +25,7 @@ export interface Choices {
   plane: boolean; // all runs are 2-D
   colours: ClothColour[];
   quantities: FieldQuantity[]; // empty where no run carries the water
+  words: Record<string, string>; // what colours and quantities are called
   trails: number[]; // [s]
   period: number; // of the stroke, if all runs have the same [s], else 0
   depth: number; // of the box, if all runs have the same [m], else 0
@@ -32,18 +33,35 @@ export interface Choices {
 }
 
 export function choicesFor(runs: readonly LoadedRun[]): Choices {
-  const kinds = STRESS_KINDS.filter((kind) => runs.some((run) => run.motion?.stress[kind]));
+  const kinds = stressKinds(runs);
   const fields = runs.flatMap((run) => (run.field ? [quantitiesOf(run.field)] : []));
   const period = commonPeriod(runs);
   return {
     plane: runs.every((run) => run.index.dimension === 2),
     colours: ['piece', ...kinds],
     quantities: (fields[0] ?? []).filter((one) => fields.every((all) => all.includes(one))),
+    words: wordsOf(runs),
     trails: period > 0 ? [0, period / 2, period, 2 * period] : roundTrails(runs),
     period,
     depth: common(runs.map(({ index: { box } }) => box.upper[2] - box.lower[2])),
     cloth: runs.some((run) => run.motion),
   };
+}
+
+/** Kinds of stress that some run has, the total first. */
+function stressKinds(runs: readonly LoadedRun[]): StressKind[] {
+  const kinds = new Set(runs.flatMap(({ motion }) => Object.keys(motion?.stress ?? {})));
+  return [...kinds].sort((a, b) => Number(b === 'total') - Number(a === 'total'));
+}
+
+function wordsOf(runs: readonly LoadedRun[]): Record<string, string> {
+  const stress = runs.flatMap(({ motion }) =>
+    Object.entries(motion?.stress ?? {}).map(([kind, { label }]) => [kind, label]),
+  );
+  const water = runs.flatMap(({ field }) =>
+    field ? quantitiesOf(field).map((one) => [one, wordsFor(field, one).label]) : [],
+  );
+  return Object.fromEntries([...stress, ...water]);
 }
 
 /** Period of the stroke of all runs [s], 0 where they have none or several. */

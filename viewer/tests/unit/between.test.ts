@@ -103,7 +103,9 @@ describe('what is said of a moment', () => {
 
   it('ranges over a frame by itself where it is shown by itself', () => {
     const values = Uint16Array.from([1, 1, 1, 1, 9, 9, 9, 9, 2, 2, 2, 2], (q) => 1000 * q);
-    const motion = madeMotion({ stress: { total: { values, largest: 100 } } });
+    const motion = madeMotion({
+      stress: { total: { label: 'total stress', values, largest: 100 } },
+    });
     const stressed = madeRun({ motion });
     const finder = new RangeFinder([stressed]);
     const chosen = { ...settings, colour: 'total' as const, range: 'frame' as const };

@@ -1,17 +1,63 @@
 import { describe, expect, it } from 'vitest';
-import type { RunIndex } from '../../src/model/bundle';
-import { parseTable } from '../../src/model/csv';
+import type { ColumnIndex, RunIndex } from '../../src/model/bundle';
+import { parseTable, type Table } from '../../src/model/csv';
 import { commonWindow } from '../../src/plots/axis';
 import { catalogue } from '../../src/plots/catalogue';
 import { alignedData, csvOf, displayFor, isLogarithmic } from '../../src/plots/data';
 import { isolated, sampleAt } from '../../src/plots/legend';
 import { pieceSection } from '../../src/plots/pieces';
 import type { RunTables } from '../../src/plots/spec';
+import { madeColumn } from './made';
 
 const washer =
   'time [s],step,tub torque [N],tub friction torque [N],agitator angle [rad],agitator speed [rad/s],' +
   'agitator power [W/m],agitator torque [N],agitator friction torque [N],agitator force x [N/m],' +
-  'stress [Pa],membrane stress [Pa],cloth radius [m],cloth height [m],largest strain,tip x [m]';
+  'stress [Pa],membrane stress [Pa],cloth radius [m],largest strain,tip x [m]';
+
+/** What is declared of some columns, as the program puts it into the page. */
+function declared(name: string, moving: boolean): ColumnIndex | null {
+  const cloth = { fold: 'Cloth', plot: 'Stress', scale: 'stress', statistic: name } as const;
+  const [, solid, what] = /^(tub|agitator|cylinder) (.*)$/.exec(name) ?? [];
+  const torque = {
+    fold: 'Torque and energy',
+    plot: `Torque on ${solid}`,
+    scale: 'torque',
+  } as const;
+  const simple: Record<string, Partial<ColumnIndex>> = {
+    stress: { ...cloth, curve: 'total', meaning: 'of the cloth' },
+    'membrane stress': { ...cloth, curve: 'membrane' },
+    'cloth radius': { fold: 'Cloth', plot: 'Radius of the cloth' },
+    'largest strain': { fold: 'Numerics', plot: 'Largest strain' },
+    divergence: { fold: 'Numerics', plot: 'Divergence', logarithmic: true },
+    'kinetic energy': { fold: 'Water', plot: 'Kinetic energy' },
+    'tip x': { fold: 'Probes' },
+    torque: { ...torque, curve: 'total', instants: !moving },
+    'friction torque': { ...torque, curve: 'friction', shown: false },
+    power: {
+      fold: 'Torque and energy',
+      plot: `Power of ${solid}`,
+      statistic: `${solid} mean power`,
+      integral: `Energy per cycle of ${solid}`,
+      integral_statistic: `${solid} energy per cycle`,
+    },
+    speed: { fold: 'Torque and energy', plot: `Speed of ${solid}` },
+    angle: {},
+    'force x': { fold: 'Forces', plot: `Force on ${solid}`, curve: 'x' },
+  };
+  const change = simple[what ?? name];
+  return change ? madeColumn(name, change) : null;
+}
+
+/** Of a history, moving solids first. */
+function declaredOf(table: Table): ColumnIndex[] {
+  const names = table.columns.map(({ name }) => name);
+  const moves = (name: string) => names.includes(`${name.split(' ')[0]} power`);
+  const columns = names.flatMap((name) => declared(name, moves(name)) ?? []);
+  return [
+    ...columns.filter(({ name }) => moves(name)),
+    ...columns.filter(({ name }) => !moves(name)),
+  ];
+}
 
 function index(change: Partial<RunIndex> = {}): RunIndex {
   const frames = { times: [], angles: {}, positions: null, stress: null, fields: null };
@@ -28,7 +74,9 @@ function index(change: Partial<RunIndex> = {}): RunIndex {
     notes: [],
     quantities: [],
     scales: { stress: 100, torque: 0, length: 1, period: 1 },
+    columns: [],
     window: [1, 2],
+    averaged: [1, 2],
     case: '',
     history: null,
     tracks: null,
@@ -49,11 +97,8 @@ function run(header: string, rows = 5, change: Partial<RunIndex> = {}): RunTable
     ...Array.from({ length: columns - 1 }, (_, c) => i * (c + 1)),
   ];
   const lines = Array.from({ length: rows }, (_, i) => row(i).join());
-  return {
-    index: index(change),
-    history: parseTable([header, ...lines, ''].join('\n')),
-    tracks: null,
-  };
+  const history = parseTable([header, ...lines, ''].join('\n'));
+  return { index: index({ columns: declaredOf(history), ...change }), history, tracks: null };
 }
 
 const titles = (runs: RunTables[]) =>
@@ -71,10 +116,10 @@ describe('catalogue of one run', () => {
       [
         'Torque and energy',
         [
-          'Torque on agitator',
+          'Speed of agitator',
           'Power of agitator',
           'Energy per cycle of agitator',
-          'Speed of agitator',
+          'Torque on agitator',
           'Torque on tub',
         ],
       ],
@@ -83,6 +128,17 @@ describe('catalogue of one run', () => {
       ['Other', ['agitator angle']],
       ['Numerics', ['Largest strain']],
     ]);
+  });
+
+  it('draws what no one has declared, and a declared column where its declaration says', () => {
+    const salt = madeColumn('salt', { fold: 'Water', plot: 'Salt', meaning: 'dissolved' });
+    const header = 'time [s],salt [kg],soap [kg]';
+    expect(titles([run(header, 5, { columns: [salt] })])).toEqual([
+      ['Water', ['Salt']],
+      ['Other', ['soap']],
+    ]);
+    const plot = find([run(header, 5, { columns: [salt] })], 'Salt');
+    expect(plot).toMatchObject({ unit: 'kg', curves: [{ meaning: 'dissolved' }] });
   });
 
   it('takes units from the header, and the energy’s from the power', () => {
@@ -94,6 +150,7 @@ describe('catalogue of one run', () => {
     const quantity = {
       name: 'stress',
       unit: 'Pa',
+      meaning: '',
       mean: 7,
       half_width: 2,
       batches: 3,
@@ -162,7 +219,7 @@ describe('catalogue of several runs', () => {
 describe('data of a plot', () => {
   it('joins runs of different times, with empty cells in the table', () => {
     const runs = [run('time [s],stress [Pa]', 3), run('time [s],stress [Pa]', 2, { name: 'b' })];
-    const plot = find(runs, 'Stress: total');
+    const plot = find(runs, 'Stress');
     expect(csvOf(plot, ['a', 'b'])).toBe(
       'time [s],a: stress [Pa],b: stress [Pa]\n0,0,0\n0.5,1,1\n1,2,\n',
     );
@@ -174,7 +231,8 @@ describe('data of a plot', () => {
     const lines = times.map((time) => `${time},${time === 1 ? '' : time},0`);
     const header = 'time [s],tub torque [N],tub friction torque [N]';
     const history = parseTable([header, ...lines, ''].join('\n'));
-    const one = { index: index({ name: 'a, b' }), history, tracks: null };
+    const columns = declaredOf(history);
+    const one = { index: index({ name: 'a, b', columns }), history, tracks: null };
     const plot = find([one], 'Torque on tub');
     expect(plot.curves.map(({ column }) => column)).toContain('tub torque (running mean)');
     const rows = csvOf(plot, ['a, b']).trimEnd().split('\n');

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { expansion, fieldFrame, quantityOf } from '../../src/model/field';
+import { expansion, fieldFrame, quantitiesOf, quantityOf, wordsFor } from '../../src/model/field';
 import { Sampler } from '../../src/scene/sampling';
 import { madeField } from './made';
 
@@ -21,6 +21,18 @@ describe('field', () => {
     expect(out[1]).toBe(0);
     quantityOf(field, 'y', 0, out);
     expect(out[0]).toBe(-4);
+  });
+
+  it('shows every scalar of the run by the name that its declaration gives', () => {
+    const salt = { name: 'salt', label: 'salt content', unit: 'kg/m^3', meaning: '', values: 1 };
+    const index = { ...field.index, scalars: [{ ...salt, largest: [9] }] };
+    const salty = { ...field, index, scalars: { salt: Int8Array.from([127, -127]) } };
+    const out = new Float32Array(2);
+    quantityOf(salty, 'salt', 0, out);
+    expect([...out]).toEqual([9, -9]);
+    expect(quantitiesOf(salty)).toContain('salt');
+    expect(wordsFor(salty, 'salt')).toEqual({ label: 'salt content', unit: 'kg/m^3' });
+    expect(wordsFor(salty, 'speed').unit).toBe('m/s');
   });
 
   it('takes the frame not later where fewer carry the water', () => {

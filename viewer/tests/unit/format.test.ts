@@ -95,7 +95,7 @@ describe('an interval wider than its mean', () => {
   });
 
   it('has a footnote with the number of batches', () => {
-    const quantity: Quantity = { ...wide, name: 'power', batches: 2, scaled: null };
+    const quantity: Quantity = { ...wide, name: 'power', meaning: '', batches: 2, scaled: null };
     const text = '† Interval wider than the mean: too few cycles (2).';
     expect(footnotes([quantity], true)).toEqual([text]);
     expect(footnotes([{ ...quantity, half_width: 1 }], true)).toEqual([]);
@@ -104,8 +104,8 @@ describe('an interval wider than its mean', () => {
 });
 
 describe('windowText', () => {
-  const text = (window: [number, number], period: number) =>
-    windowText({ window, scales: { period } } as RunIndex);
+  const text = (averaged: [number, number], period: number) =>
+    windowText({ averaged, scales: { period } } as RunIndex);
 
   it('names times and cycles, or says that they are not known', () => {
     expect(text([1, 3], 0.5)).toMatch(/^Over 1.000 s to 3.000 s, 4 cycles;/);

@@ -1,4 +1,4 @@
-import type { FieldIndex, RunIndex } from '../../src/model/bundle';
+import type { ColumnIndex, FieldIndex, RunIndex } from '../../src/model/bundle';
 import type { Field } from '../../src/model/field';
 import type { LoadedRun, Motion } from '../../src/model/run';
 
@@ -16,7 +16,9 @@ export function madeIndex(change: Partial<RunIndex> = {}): RunIndex {
     notes: [],
     quantities: [],
     scales: { stress: 10, torque: 0, length: 1, period: 2 },
+    columns: [],
     window: [0, 2],
+    averaged: [0, 2],
     case: '',
     history: null,
     tracks: null,
@@ -32,6 +34,26 @@ export function madeIndex(change: Partial<RunIndex> = {}): RunIndex {
       stress: null,
       fields: null,
     },
+    ...change,
+  };
+}
+
+/** What the program says of a column; drawn in a plot of its own where nothing else is said. */
+export function madeColumn(name: string, change: Partial<ColumnIndex> = {}): ColumnIndex {
+  return {
+    name,
+    meaning: '',
+    fold: 'Other',
+    plot: name,
+    axis: name,
+    curve: name,
+    scale: '',
+    shown: true,
+    logarithmic: false,
+    instants: false,
+    statistic: '',
+    integral: '',
+    integral_statistic: '',
     ...change,
   };
 }
@@ -85,6 +107,7 @@ export function madeField(cells: FieldIndex['cells'], velocity: Int8Array, large
       velocity: { values: 0, largest: [largest] },
       vorticity: null,
       solid: 0,
+      scalars: [],
     },
     axes: 3,
     cells: number,
@@ -92,5 +115,6 @@ export function madeField(cells: FieldIndex['cells'], velocity: Int8Array, large
     velocity,
     vorticity: null,
     solid: new Uint8Array(number),
+    scalars: {},
   };
 }

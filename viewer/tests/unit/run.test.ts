@@ -62,7 +62,9 @@ describe('between frames', () => {
     const values = new Uint16Array(12).fill(0);
     values[1] = 65535;
     values[5] = 32767.5;
-    const motion = madeMotion({ stress: { total: { values, largest: 800 } } });
+    const motion = madeMotion({
+      stress: { total: { label: 'total stress', values, largest: 800 } },
+    });
     const out = new Float32Array(4);
     stressAt(motion, 'total', { frame: 0, next: 1, part: 0 }, out);
     expect(out[1]).toBeCloseTo(800, 2);

@@ -36,7 +36,7 @@ describe('ranges', () => {
   const values = Uint16Array.from({ length: 1200 }, (_, i) => (i === 5 ? 65535 : i * 27));
   const motion = madeMotion({
     nodes: 400,
-    stress: { total: { values, largest: 100 } },
+    stress: { total: { label: 'total stress', values, largest: 100 } },
   });
   const run = madeRun({ motion });
   const moments = [{ frame: 0, next: 0, part: 0 }];
@@ -57,7 +57,10 @@ describe('ranges', () => {
   });
 
   it('are those of all runs', () => {
-    const double = { ...motion, stress: { total: { values, largest: 200 } } };
+    const double = {
+      ...motion,
+      stress: { total: { label: 'total stress', values, largest: 200 } },
+    };
     const finder = new RangeFinder([run, madeRun({ motion: double })]);
     const both = [moments[0]!, moments[0]!];
     expect(finder.find({ ...settings, range: 'run' }, both).stress).toBe(200);

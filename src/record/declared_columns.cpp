@@ -1,0 +1,222 @@
+#include "record/columns.hpp"
+#include "record/names.hpp"
+
+namespace washtub {
+
+namespace columns {
+
+constexpr Plot stress_plot(const char* curve, const char* statistic) {
+  return {.fold = "Cloth",
+          .title = "Stress",
+          .axis = "stress",
+          .curve = curve,
+          .scale = Scale::stress,
+          .statistic = statistic};
+}
+
+constexpr Plot torque_plot(const char* curve) {
+  return {.fold = "Torque and energy",
+          .title = "Torque on",
+          .axis = "torque",
+          .curve = curve,
+          .scale = Scale::torque,
+          .shown = false};
+}
+
+constexpr Plot force_plot(const char* axis) {
+  return {.fold = "Forces", .title = "Force on", .axis = "force", .curve = axis};
+}
+
+constexpr Plot error_plot(const char* curve) {
+  return {.fold = "Error against the exact solution",
+          .title = "Velocity error",
+          .axis = "error",
+          .curve = curve,
+          .logarithmic = true};
+}
+
+constexpr Plot numerics(const char* title, const char* axis) {
+  return {.fold = "Numerics", .title = title, .axis = axis, .curve = axis};
+}
+
+constexpr Plot iterations(const char* curve) {
+  return {.fold = "Numerics", .title = "Iterations", .axis = "iterations", .curve = curve};
+}
+
+constexpr Plot probe_plot{.fold = "Probes"};
+
+const std::vector<DeclaredColumn<Sample>> run = {
+    {{names::time, second, "since the start"},
+     [](const Sample& s) { return s.time; },
+     {.fold = ""}},
+    {{names::step, pure_number, "steps since the start"},
+     [](const Sample& s) { return s.step.number; },
+     {.fold = ""}},
+    {{names::time_step, second, "length of the last step"},
+     [](const Sample& s) { return s.step.length; },
+     numerics("Time step", "time step")},
+    {{names::courant, pure_number,
+      "Courant number of the last step: the largest sum over the axes of "
+      "velocity times step over cell"},
+     [](const Sample& s) { return s.step.courant; },
+     numerics("Courant number", "Courant number")},
+    {{names::divergence, pure_number,
+      "largest divergence of the water, times the cell h over the "
+      "largest speed U"},
+     [](const Sample& s) { return s.step.divergence; },
+     {.fold = "Numerics",
+      .title = "Divergence",
+      .axis = "divergence × h/U",
+      .curve = "divergence",
+      .logarithmic = true}},
+    {{"pressure cycles", pure_number, "of the pressure solver in the last step"},
+     [](const Sample& s) { return s.step.cycles; },
+     iterations("pressure cycles")},
+    {{names::speed, metre_per_second, "largest component of the water's velocity"},
+     [](const Sample& s) { return s.step.speed; },
+     {.fold = "Water", .title = "Largest speed", .axis = "speed", .curve = "speed"}},
+    {{names::kinetic_energy, joule, "of the water"},
+     [](const Sample& s) { return s.step.kinetic; },
+     {.fold = "Water",
+      .title = "Kinetic energy",
+      .axis = "kinetic energy",
+      .curve = "kinetic energy"}},
+};
+
+const std::vector<DeclaredColumn<SolidSample>> solid = {
+    {{names::torque, newton_metre,
+      "of the water and the cloth on it; of a solid that turns the "
+      "mean over the steps since the row before, of one at rest at "
+      "the instant"},
+     [](const SolidSample& s) { return s.torque; },
+     {.fold = "Torque and energy",
+      .title = "Torque on",
+      .axis = "torque",
+      .curve = "total",
+      .scale = Scale::torque,
+      .instants = true}},
+    {{names::rms_torque, newton_metre,
+      "root of the mean square of the torque over the steps since "
+      "the row before",
+      When::moving},
+     [](const SolidSample& s) { return s.rms_torque; },
+     {.fold = "Torque and energy",
+      .title = "Torque on",
+      .axis = "torque",
+      .curve = "rms over the steps",
+      .scale = Scale::torque,
+      .shown = false,
+      .statistic = names::rms_torque}},
+    {{names::friction, newton_metre, "the part of skin friction at the instant"},
+     [](const SolidSample& s) { return s.friction; },
+     torque_plot("friction")},
+    {{names::pressure, newton_metre, "the part of the pressure at the instant"},
+     [](const SolidSample& s) { return s.pressure; },
+     torque_plot("pressure")},
+    {{names::convection, newton_metre,
+      "momentum carried into the steps of the cells at the "
+      "instant"},
+     [](const SolidSample& s) { return s.convection; },
+     torque_plot("convection")},
+    {{names::power, watt,
+      "given to the water: minus torque times speed, mean over the steps since "
+      "the row before",
+      When::moving},
+     [](const SolidSample& s) { return s.power; },
+     {.fold = "Torque and energy",
+      .title = "Power of",
+      .axis = "power",
+      .curve = "power",
+      .statistic = names::mean_power,
+      .integral = "Energy per cycle of",
+      .integral_statistic = names::energy}},
+    {{"speed", {"rad/s"}, "mean since the row before", When::moving},
+     [](const SolidSample& s) { return s.speed; },
+     {.fold = "Torque and energy", .title = "Speed of", .axis = "angular speed", .curve = "speed"}},
+    {{"angle", {"rad"}, "swept since the start", When::moving},
+     [](const SolidSample& s) { return s.angle; }},
+    {{"force x", newton, "of the water on it at the instant"},
+     [](const SolidSample& s) { return s.force.x(); },
+     force_plot("x")},
+    {{"force y", newton, "of the water on it at the instant"},
+     [](const SolidSample& s) { return s.force.y(); },
+     force_plot("y")},
+    {{"force z", newton, "of the water on it at the instant", When::space},
+     [](const SolidSample& s) { return s.force.z(); },
+     force_plot("z")},
+};
+
+const std::vector<DeclaredColumn<Sample>> error = {
+    {{"largest velocity error", metre_per_second,
+      "largest difference of a velocity component from "
+      "the case's exact one"},
+     [](const Sample& s) { return s.error.largest; },
+     error_plot("largest")},
+    {{"rms velocity error", metre_per_second, "root of the mean square of these differences"},
+     [](const Sample& s) { return s.error.rms; },
+     error_plot("rms")},
+};
+
+const std::vector<DeclaredColumn<Sample>> cloth = {
+    {{names::stress, pascal,
+      "largest at the surfaces of the cloth (von Mises in 3-D), mean over "
+      "the area of each piece, then over the pieces"},
+     [](const Sample& s) { return s.stress.total; },
+     stress_plot("total", names::stress)},
+    {{names::membrane_stress, pascal, "the part of stretching and shear, mean as the stress"},
+     [](const Sample& s) { return s.stress.membrane; },
+     stress_plot("membrane", names::membrane_stress)},
+    {{names::bending_stress, pascal, "the part of bending and twisting, mean as the stress"},
+     [](const Sample& s) { return s.stress.bending; },
+     stress_plot("bending", names::bending_stress)},
+    {{names::radius, metre, "distance of the pieces' centres from the axis, mean over the area"},
+     [](const Sample& s) { return s.centre[0]; },
+     {.fold = "Cloth",
+      .title = "Radius of the cloth",
+      .axis = "radius",
+      .curve = "radius",
+      .statistic = names::radius}},
+    {{names::height, metre, "of the pieces' centres, mean over the area", When::space},
+     [](const Sample& s) { return s.centre[1]; },
+     {.fold = "Cloth",
+      .title = "Height of the cloth",
+      .axis = "height",
+      .curve = "height",
+      .statistic = names::height}},
+    {{names::strain, pure_number, "of an edge of the cloth, Green's, its magnitude"},
+     [](const Sample& s) { return s.step.strain; },
+     numerics("Largest strain", "strain")},
+    {{names::slip, metre_per_second, "of the cloth against the water, rms over the nodes"},
+     [](const Sample& s) { return s.step.slip; },
+     numerics("Slip", "rms slip")},
+    {{"newton steps", pure_number, "of the cloth's solver in the last step"},
+     [](const Sample& s) { return s.step.newton; },
+     iterations("Newton steps of the cloth")},
+};
+
+const std::vector<DeclaredColumn<Vec<3>>> probe = {
+    {{"x", metre, "place of the probe's node"}, [](const Vec<3>& x) { return x.x(); }, probe_plot},
+    {{"y", metre, "place of the probe's node"}, [](const Vec<3>& x) { return x.y(); }, probe_plot},
+    {{"z", metre, "place of the probe's node", When::space},
+     [](const Vec<3>& x) { return x.z(); },
+     probe_plot},
+};
+
+const std::vector<DeclaredColumn<Sample>> rings = {
+    {{"enclosed area", {"m^2"}, "within a ring, mean over the rings"},
+     [](const Sample& s) { return s.enclosed_area; },
+     {.fold = "Cloth", .title = "Enclosed area", .axis = "area", .curve = "area"}},
+};
+
+const std::vector<DeclaredColumn<PieceSample>> piece = {
+    {{names::piece_r, metre, "distance of the piece's centre from the axis"},
+     [](const PieceSample& p) { return p.centre[0]; }},
+    {{names::piece_z, metre, "height of the piece's centre; 0 in 2-D"},
+     [](const PieceSample& p) { return p.centre[1]; }},
+    {{names::stress, pascal, "largest at the surfaces of the cloth, mean over the piece's area"},
+     [](const PieceSample& p) { return p.stress.total; }},
+};
+
+}  // namespace columns
+
+}  // namespace washtub

@@ -1,0 +1,199 @@
+#include "record/columns.hpp"
+#include "record/names.hpp"
+#include "record/summarise.hpp"
+
+namespace washtub {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+double cells(const Case& whole) {
+  double cells = 1;
+  for (int d = 0; d < whole.dimension; ++d)
+    cells *= whole.domain.cells[static_cast<std::size_t>(d)];
+  return cells;
+}
+
+/// A sum over all steps, over their number.
+double per_step(double sum, const RunSource& s) { return sum / static_cast<double>(s.end.steps); }
+
+/// Means of the stress in the batches of the statistics.
+MeanEstimate stress_mean(const ClothSource& s) {
+  for (const RunQuantity& q : cloth_quantities(s.whole, s.history))
+    if (q.name == names::stress) return mean_of_batches(q.batches);
+  return mean_of_batches({});
+}
+
+Json scaled(double value, const std::optional<Scales>& scale) {
+  return scale ? Json(value / scale->stress) : Json();
+}
+
+/// The scatter in each whole cycle, about the centre over all of them.
+Json of_cycles(const ClothSource& s, double (Scatter::*scatter)(const Scatter&) const) {
+  Json values = Json::array();
+  for (const Scatter& cycle : s.statistics.cycles())
+    values.push_back((cycle.*scatter)(s.all.scatter));
+  return values;
+}
+
+}  // namespace
+
+namespace entries {
+
+const std::vector<DeclaredEntry<TopSource>> top = {
+    {{"title", pure_number, "of the case"},
+     [](const TopSource& s) -> Json { return s.whole.title; }},
+    {{"window", second, "of the statistics, from begin to end, as the case has it"},
+     [](const TopSource& s) -> Json {
+       return {s.whole.output.window_begin, s.whole.output.window_end};
+     }},
+    {{"statistics over", second,
+      "the span that they rest on: the whole cycles of the drive within "
+      "the window that the run has covered; where there is none, or no "
+      "period, what it has covered of the window"},
+     [](const TopSource& s) -> Json {
+       return {s.span.over.begin, s.span.over.end};
+     }},
+    {{"whole cycles", pure_number, "that this span holds; 0: it is what is covered"},
+     [](const TopSource& s) -> Json { return s.span.cycles; }},
+};
+
+const std::vector<DeclaredEntry<RunSource>> run = {
+    {{names::outcome, pure_number, "`complete`, `stopped`, or the error that ended the run"},
+     [](const RunSource& s) -> Json { return s.end.outcome; }},
+    {{names::end, second, "time that the run has reached"},
+     [](const RunSource& s) -> Json { return s.end.time; }},
+    {{names::steps, pure_number, "since the start"},
+     [](const RunSource& s) -> Json { return s.end.steps; }},
+    {{names::ranks, pure_number, "processes that computed together"},
+     [](const RunSource& s) -> Json { return s.end.ranks; }},
+    {{"cells", pure_number, "of the grid"},
+     [](const RunSource& s) -> Json { return cells(s.whole); }},
+    {{names::wall_time, second, "that the steps took"},
+     [](const RunSource& s) -> Json { return s.end.wall_time; }},
+    {{names::throughput, pure_number, "cells times steps over wall time"},
+     [](const RunSource& s) -> Json {
+       return 1e-6 * cells(s.whole) * static_cast<double>(s.end.steps) / s.end.wall_time;
+     }},
+    {{names::largest_step, second, "of time"},
+     [](const RunSource& s) -> Json { return s.end.extremes.largest_step; }},
+    {{names::smallest_step, second, "of time"},
+     [](const RunSource& s) -> Json {
+       return s.end.steps > 0 ? Json(s.end.extremes.smallest_step) : Json();
+     }},
+    {{names::largest_courant, pure_number, "of all steps"},
+     [](const RunSource& s) -> Json { return s.end.extremes.courant; }},
+    {{names::largest_divergence, pure_number,
+      "of all steps: of the water, times the cell h over the "
+      "largest speed U"},
+     [](const RunSource& s) -> Json { return s.end.extremes.divergence; }},
+    {{"pressure cycles per step", pure_number, "of the pressure solver"},
+     [](const RunSource& s) -> Json {
+       return per_step(static_cast<double>(s.end.extremes.cycles), s);
+     }},
+    {{names::unconverged, pure_number, "steps whose pressure did not reach its bound"},
+     [](const RunSource& s) -> Json { return s.end.extremes.unconverged; }},
+    {{"frames", pure_number, "written"}, [](const RunSource& s) -> Json { return s.end.frames; }},
+};
+
+const std::vector<DeclaredEntry<RunSource>> coupling = {
+    {{"newton steps per step", pure_number, "of the cloth's solver"},
+     [](const RunSource& s) -> Json {
+       return per_step(static_cast<double>(s.end.extremes.newton), s);
+     }},
+    {{names::strain, pure_number, "of an edge of the cloth in all steps, Green's, its magnitude"},
+     [](const RunSource& s) -> Json { return s.end.extremes.strain; }},
+    {{"largest rms slip", metre_per_second, "of the cloth against the water, of all steps"},
+     [](const RunSource& s) -> Json { return s.end.extremes.slip; }},
+    {{names::mean_slip_share, pure_number, "over all steps"},
+     [](const RunSource& s) -> Json { return per_step(s.end.extremes.sum_of_slip_shares, s); }},
+    {{names::largest_slip_share, pure_number, "of all steps"},
+     [](const RunSource& s) -> Json { return s.end.extremes.slip_share; }},
+    {{names::penetration, metre, "that a node of the cloth had at the end of a step"},
+     [](const RunSource& s) -> Json { return s.end.extremes.penetration; }},
+    {{"nodes held off solids per step", pure_number, "of the cloth"},
+     [](const RunSource& s) -> Json {
+       return per_step(static_cast<double>(s.end.extremes.touched), s);
+     }},
+};
+
+const std::vector<DeclaredEntry<Scales>> scales = {
+    {{"sigma_o", pascal, "of stress: density r_o^2 omega_max^2"},
+     [](const Scales& s) -> Json { return s.stress; }},
+    {{"tau_o", newton_metre, "of torque: sigma_o r_o^2 H"},
+     [](const Scales& s) -> Json { return s.torque; }},
+};
+
+const std::vector<DeclaredEntry<StressSource>> stress = {
+    {{"mean", pascal, "over time, the area of each piece, and the pieces"},
+     [](const StressSource& s) -> Json { return s.stress.mean; }},
+    {{"standard deviation over time", pascal, "of the mean over all pieces"},
+     [](const StressSource& s) -> Json { return s.stress.over_time; }},
+    {{"standard deviation over pieces", pascal, "of the pieces' means over time"},
+     [](const StressSource& s) -> Json { return s.stress.over_pieces; }},
+    {{"standard deviation over pieces and time", pascal, "of all pieces at all times together"},
+     [](const StressSource& s) -> Json { return s.stress.over_time_pieces; }},
+    {{"mean / sigma_o", pure_number, "the same over the scale of stress, where there is one"},
+     [](const StressSource& s) { return scaled(s.stress.mean, s.scale); }},
+    {{"standard deviation over time / sigma_o", pure_number, "likewise"},
+     [](const StressSource& s) { return scaled(s.stress.over_time, s.scale); }},
+    {{"standard deviation over pieces / sigma_o", pure_number, "likewise"},
+     [](const StressSource& s) { return scaled(s.stress.over_pieces, s.scale); }},
+    {{"standard deviation over pieces and time / sigma_o", pure_number, "likewise"},
+     [](const StressSource& s) { return scaled(s.stress.over_time_pieces, s.scale); }},
+};
+
+const std::vector<DeclaredEntry<ClothSource>> cloth = {
+    {{"pieces", pure_number, "of cloth"},
+     [](const ClothSource& s) -> Json { return piece_count(s.whole); }},
+    {{"stress, 95 % half width", pascal,
+      "the true mean is within +- this with 95 % confidence, "
+      "from the means of the cycles"},
+     [](const ClothSource& s) -> Json { return stress_mean(s).half_width; }},
+    {{"stress, 95 % half width / sigma_o", pure_number,
+      "the same over the scale of stress, where there "
+      "is one"},
+     [](const ClothSource& s) {
+       return scaled(stress_mean(s).half_width, washtub::scales(s.whole));
+     }},
+    {{names::common_scatter, metre,
+      "rms distance of all points of the cloth, in (r, z), from the "
+      "mean over all pieces and the time"},
+     [](const ClothSource& s) -> Json { return s.all.scatter.common(); }},
+    {{names::own_scatter, metre, "of the points of each piece from its own mean over the time"},
+     [](const ClothSource& s) -> Json { return s.all.scatter.own(); }},
+    {{names::common_scatter_cycles, metre, "list, about the same centre"},
+     [](const ClothSource& s) { return of_cycles(s, &Scatter::common_about); }},
+    {{names::own_scatter_cycles, metre, "list, about the same centres"},
+     [](const ClothSource& s) { return of_cycles(s, &Scatter::own_about); }},
+    {{"centre (r, z)", metre, "mean over all points of the cloth and the time"},
+     [](const ClothSource& s) -> Json {
+       return {s.all.scatter.centre()[0], s.all.scatter.centre()[1]};
+     }},
+};
+
+const std::vector<DeclaredEntry<LoopSource>> loop = {
+    {{"mean swept area",
+      {"m^2"},
+      "by the line from a piece's mean place to its centre; positive: "
+      "out at the bottom, up at the wall"},
+     [](const LoopSource& s) -> Json { return s.area; }},
+    {{"mean turns", pure_number, "of a piece's centre about its mean place"},
+     [](const LoopSource& s) -> Json { return s.turns; }},
+    {{"rise at the wall", metre_per_second, "mean velocity of the centres beyond 0.7 r_o"},
+     [](const LoopSource& s) -> Json { return s.map.wall_rise().mean(); }},
+    {{"rise at the axis", metre_per_second, "within 0.5 r_o"},
+     [](const LoopSource& s) -> Json { return s.map.axis_rise().mean(); }},
+    {{"outward at the surface", metre_per_second, "above 2/3 H"},
+     [](const LoopSource& s) -> Json { return s.map.top_outward().mean(); }},
+    {{"outward at the floor", metre_per_second, "below 1/3 H"},
+     [](const LoopSource& s) -> Json { return s.map.bottom_outward().mean(); }},
+    {{"signs agreeing with the wash loop, of 4", pure_number,
+      "up at the wall, in at the surface, down "
+      "at the axis, out at the floor"},
+     [](const LoopSource& s) -> Json { return s.map.agreeing(); }},
+};
+
+}  // namespace entries
+}  // namespace washtub

@@ -1,0 +1,30 @@
+#pragma once
+#include "base/archive.hpp"
+
+namespace washtub {
+
+/// Largest values and sums over all steps of a run.
+struct Extremes {
+  double divergence = 0, slip = 0, penetration = 0, strain = 0, courant = 0;
+  double slip_share = 0, sum_of_slip_shares = 0;  ///< rms slip over the largest speed
+  long touched = 0, cycles = 0, unconverged = 0, newton = 0;
+  double largest_step = 0, smallest_step = 1e30;
+
+  void state(Archive& archive) {
+    archive.value("divergence", divergence);
+    archive.value("slip", slip);
+    archive.value("penetration", penetration);
+    archive.value("strain", strain);
+    archive.value("courant", courant);
+    archive.value("slip share", slip_share);
+    archive.value("sum of slip shares", sum_of_slip_shares);
+    archive.value("touched", touched);
+    archive.value("pressure cycles", cycles);
+    archive.value("unconverged", unconverged);
+    archive.value("newton steps", newton);
+    archive.value("largest step", largest_step);
+    archive.value("smallest step", smallest_step);
+  }
+};
+
+}  // namespace washtub
