@@ -78,7 +78,7 @@ function buildControls(
 ): HTMLElement {
   const save = () => stage && savePicture(stage, runs, clock);
   const keys = buildKeys({ clock, settings, choices, stage, save });
-  const timeline = buildTimeline(clock, commonPeriod(runs));
+  const timeline = buildTimeline(clock, commonPeriod(runs), stage);
   if (!stage) return make('section', 'controls', timeline, keys);
   const toolbar = buildToolbar(settings, choices, {
     reset: () => stage.look('slanted'),

@@ -8,8 +8,21 @@ export function speedsOf({ pace }: Clock): number[] {
   return [0.1, 0.25, 0.5, 1, 2, 4].map((times) => Number((times * pace).toPrecision(6)));
 }
 
-/** Play, step, scrub, speed, and the time; `period` of the stroke [s], 0 where there is none. */
-export function buildTimeline(clock: Clock, period: number): HTMLElement {
+/** Tells the time of what is shown, and calls when that changes though the clock stands. */
+export interface Showing {
+  timeShown(): number;
+  readonly settings: { subscribe(listener: () => void): void };
+}
+
+/**
+ * Play, step, scrub, speed, and the time of what is shown; `period` of the stroke [s], 0 where
+ * there is none.
+ */
+export function buildTimeline(
+  clock: Clock,
+  period: number,
+  showing: Showing | null = null,
+): HTMLElement {
   const play = button('▶', 'Play (space)', () => togglePlaying(clock));
   play.classList.add('play');
   const scrub = scrubber(clock);
@@ -21,16 +34,21 @@ export function buildTimeline(clock: Clock, period: number): HTMLElement {
     speedsOf(clock).map((value) => [String(value), `${value}×`] as const),
     (value) => clock.set({ speed: Number(value) }),
   );
+  const tell = () => {
+    const text = timeText(showing?.timeShown() ?? clock.state.time, period, decimals);
+    scrub.setAttribute('aria-valuetext', text);
+    readout.textContent = text;
+  };
   clock.subscribe(({ time, playing, speed: now }) => {
     const name = playing ? 'Pause (space)' : 'Play (space)';
     play.textContent = playing ? '❚❚' : '▶';
     play.title = name;
     play.setAttribute('aria-label', name);
     scrub.value = String(time);
-    scrub.setAttribute('aria-valuetext', timeText(time, period, decimals));
-    readout.textContent = timeText(time, period, decimals);
     speed.select.value = String(now);
+    tell();
   });
+  showing?.settings.subscribe(tell);
   const element = make(
     'div',
     'timeline',

@@ -13,6 +13,8 @@ export interface Caption {
 const FONT = 'system-ui, "Segoe UI", Roboto, "Liberation Sans", sans-serif';
 const MARGIN = 10;
 const BAR = 12;
+/** Distance of the lines of a legend's text. */
+const LINE = 14;
 /** Views below this width [pixels] get smaller letters and flat legends. */
 const NARROW = 520;
 
@@ -52,11 +54,24 @@ function drawLabels(
   ] as const) {
     if (!text) continue;
     context.font = font;
-    const wide = Math.min(context.measureText(text).width, width - 2 * MARGIN - 12);
-    panel(context, MARGIN, y, wide + 12, 20, theme);
-    context.fillText(text, MARGIN + 6, y + 10.5, wide);
-    y += 21;
+    for (const line of wrapped(context, text, width - 2 * MARGIN - 12)) {
+      const wide = Math.min(context.measureText(line).width, width - 2 * MARGIN - 12);
+      panel(context, MARGIN, y, wide + 12, 20, theme);
+      context.fillText(line, MARGIN + 6, y + 10.5, wide);
+      y += 21;
+    }
   }
+}
+
+/** The words of a text in lines that are at most `width` wide where a word alone is not wider. */
+function wrapped(context: CanvasRenderingContext2D, text: string, width: number): string[] {
+  const lines: string[] = [];
+  for (const word of text.split(' ')) {
+    const longer = lines.length > 0 ? `${lines.at(-1)} ${word}` : word;
+    if (context.measureText(longer).width <= width) lines.splice(-1, 1, longer);
+    else lines.push(word);
+  }
+  return lines;
 }
 
 export function panel(
@@ -90,12 +105,12 @@ function drawLegend(
   const heading = `${legend.title} [${legend.unit}]`;
   const inner = Math.max(wideScaled + BAR + wide + 4, context.measureText(heading).width);
   const left = right - inner - 14;
-  const below = legend.open && legend.low < 0 ? 10 : 0; // room for the lower arrow
-  const top = bottom - length - 44;
+  const below = legend.open && legend.low < 0 ? LINE : 0; // room for what is below the bar
+  const top = bottom - length - 35 - LINE;
   panel(context, left, top, right - left, bottom - top, theme);
   context.fillText(heading, left + 7, top + 12);
   const bar = left + 7 + wideScaled;
-  const [high, low] = [top + 36, bottom - 9 - below];
+  const [high, low] = [top + 26 + LINE, bottom - 9 - below];
   paintBar(context, legend, bar, high, low, theme);
   const place = (v: number) =>
     low + ((v - legend.low) / (legend.high - legend.low || 1)) * (high - low);
@@ -104,12 +119,12 @@ function drawLegend(
   for (const { v, text } of scaled) tick(context, text, bar, place(v), 'right', theme);
   context.textAlign = 'left';
   if (legend.open) {
-    context.fillText('and more', bar + BAR + 6, high - 9);
-    if (legend.low < 0) context.fillText('and more', bar + BAR + 6, low + 9);
+    context.fillText('and more', bar + BAR + 6, high - LINE);
+    if (legend.low < 0) context.fillText('and more', bar + BAR + 6, low + LINE);
   }
   if (legend.scaled) {
     context.textAlign = 'right';
-    context.fillText(legend.scaled.by, bar - 6, high - 9);
+    context.fillText(legend.scaled.by, bar - 6, high - LINE);
   }
   return left;
 }

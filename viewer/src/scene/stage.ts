@@ -115,6 +115,13 @@ export class Stage {
     return canvas;
   }
 
+  /** Time of what the views show [s]; the clock's where they differ, as the captions tell. */
+  timeShown(): number {
+    const { time } = this.clock.state;
+    const [first, ...others] = this.views.map((view) => view.timeAt(time, this.settings.value));
+    return others.every((other) => other === first) ? (first ?? time) : time;
+  }
+
   #shown(): Shown {
     const { time } = this.clock.state;
     const settings = this.settings.value;

@@ -63,6 +63,11 @@ export class View {
     return whole ? { frame: moment.frame, next: moment.frame, part: 0 } : moment;
   }
 
+  /** Time of what is shown at a time [s]. */
+  timeAt(time: number, settings: Readonly<Settings>): number {
+    return timeShown(this.run, this.moment(time, settings), time);
+  }
+
   /** Brings the scene up to date and draws it. */
   draw(shown: Shown): void {
     this.#showing = { ...shown, moment: this.moment(shown.time, shown.settings) };
@@ -147,7 +152,7 @@ export class View {
     const lost = this.renderer.getContext().isContextLost();
     return {
       title: this.named ? index.name : '',
-      time: timeText(timeShown(this.run, moment, time), index.scales.period, decimals),
+      time: timeText(this.timeAt(time, settings), index.scales.period, decimals),
       notice: lost ? LOST : noticeFor(this.run, time, moment, settings),
       legends: legendsOf(this.run, settings, ranges, theme),
     };

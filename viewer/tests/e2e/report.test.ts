@@ -77,6 +77,7 @@ describe.each(PAGES)('the report of a %s run', (_, file) => {
     const whole = run.dimension === 2; // the water is shown, so frames are not blended
     const shown = () => ask(() => window.washtub!.captions()[0]!.time);
     await expect.poll(shown).toContain((whole ? times[1]! : target).toFixed(3));
+    expect(await opened.page.locator('.timeline .time').textContent()).toBe(await shown());
     const notice = await ask(() => window.washtub!.captions()[0]!.notice);
     expect(notice).toBe(whole ? '' : 'between frames');
   });
