@@ -88,7 +88,10 @@ void Halo<D>::exchange_axis(std::span<T* const> arrays, int axis, int type) cons
   const auto [below, above] = neighbour_[axis];
   const int n = block_.count[axis];
   const MPI_Datatype slab_type = slab_[type][axis];
-  std::array<MPI_Request, 16> requests;
+  constexpr std::size_t most = 4;  // arrays at a time
+  std::array<MPI_Request, 4 * most> requests;
+  for (; arrays.size() > most; arrays = arrays.subspan(most))
+    exchange_axis(arrays.first(most), axis, type);
   int count = 0;
   for (T* a : arrays) {
     const int tag = 4 * axis;

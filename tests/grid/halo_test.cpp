@@ -84,6 +84,13 @@ TEST(Halo, FillsFacesEdgesAndCornersInDoublePrecision) { check_all_boxes<double>
 TEST(Halo, FillsFacesEdgesAndCornersInSinglePrecision) { check_all_boxes<float>(); }
 TEST(Halo, FillsFacesEdgesAndCornersOfBytes) { check_all_boxes<std::uint8_t>(); }
 
+TEST(Halo, TakesAnyNumberOfArrays) {
+  for (const int arrays : {0, 4, 5, 9}) {
+    check_exchange<2, double>(unit_mesh<2>({16, 9}, {true, true}), arrays);
+    check_exchange<3, float>(unit_mesh<3>({16, 6, 7}, {false, true, false}), arrays);
+  }
+}
+
 TEST(Halo, WrapsOneRowOnlyWhereTheBoxRepeats) {
   for (const bool periodic : {false, true}) {
     const Grid<2> grid(unit_mesh<2>({16, 8}, {periodic, false}), Parallel(), any_cut<2>());
