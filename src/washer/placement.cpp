@@ -39,6 +39,15 @@ class Draw {
   std::mt19937_64 engine_;
 };
 
+/// "the upper x side"; what lies above or below by what it is.
+std::string name_of_side(const DomainCase& box, int side) {
+  const auto kind = [&](std::size_t i) { return box.sides[i].kind; };
+  if (side == 4 && kind(4) == SideKind::no_slip) return "the floor";
+  if (side == 5 && kind(5) == SideKind::slip && kind(4) != SideKind::slip)
+    return "the water surface";
+  return fmt::format("the {} {} side", side % 2 == 0 ? "lower" : "upper", "xyz"[side / 2]);
+}
+
 /// Finds the places of the pieces of one group.
 class Placer {
  public:
@@ -173,9 +182,6 @@ class Placer {
   }
 
   std::string side_hit(const Rectangle& piece, double clearance) const {
-    static constexpr const char* names[] = {"the lower x side", "the upper x side",
-                                            "the lower y side", "the upper y side",
-                                            "the floor",        "the water surface"};
     const DomainCase& box = whole_.domain;
     for (int d = 0; d < whole_.dimension; ++d)
       for (int side = 0; side < 2; ++side) {
@@ -184,7 +190,7 @@ class Placer {
         for (const Vec<3>& x : piece.corners()) {
           const double inwards =
               side == 0 ? x[d] - box.lower[d] : box.lower[d] + box.size[d] - x[d];
-          if (inwards < clearance - 1e-12 * box.size[d]) return names[i];
+          if (inwards < clearance - 1e-12 * box.size[d]) return name_of_side(box, i);
         }
       }
     return {};

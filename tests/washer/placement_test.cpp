@@ -233,6 +233,17 @@ TEST(SingleSheet, IsRefusedWhereItCannotBe) {
   EXPECT_THAT(error_of(sheet_case({0.1, 0.1, -0.1})), HasSubstr("touches the floor"));
 }
 
+TEST(SingleSheet, IsToldTheSideByWhatItIs) {
+  Case whole = sheet_case({0.1, 0.1, 0.95});
+  whole.cloth[0].along[1] = Vec<3>::UnitZ();
+  EXPECT_THAT(error_of(whole), HasSubstr("touches the upper z side"));
+  whole.domain.sides[5].kind = SideKind::slip;
+  EXPECT_THAT(error_of(whole), HasSubstr("touches the water surface"));
+  whole.cloth[0].origin[2] = -0.05;
+  whole.domain.sides[4].kind = SideKind::slip;
+  EXPECT_THAT(error_of(whole), HasSubstr("touches the lower z side"));
+}
+
 TEST(SingleSheet, MayCrossAPeriodicSide) {
   Case whole = sheet_case({0.9, 0.5, 0.1});
   whole.domain.sides[0].kind = whole.domain.sides[1].kind = SideKind::periodic;
