@@ -93,7 +93,9 @@ double parse_quantity(std::string_view text, const Measure& expected) {
   const std::string_view unit_name = trimmed(text.substr(static_cast<size_t>(end - text.data())));
   if (unit_name.empty()) refuse(expected);
   const Unit unit = parse_unit(unit_name);
-  if (!unit) refuse(expected);
+  if (!unit)
+    throw InputError(fmt::format("unknown unit \"{}\", expected {} such as \"{}\"", unit_name,
+                                 expected.name, expected.example));
   const double result = convert(value, unit.get(), expected);
   if (!std::isfinite(result)) refuse(expected);
   return result;

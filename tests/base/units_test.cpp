@@ -33,8 +33,15 @@ TEST(Units, ConvertToSi) {
 
 TEST(Units, WrongOrMissingUnitNamesKindAndExample) {
   const std::string expected = "expected force per length such as \"8e5 N/m\"";
-  for (const char* text : {"8e5 N", "8e5", "N/m", "8e5 N/blob", "", "nan N/m", "1e400 N/m"})
+  for (const char* text : {"8e5 N", "8e5", "N/m", "", "nan N/m", "1e400 N/m"})
     EXPECT_EQ(error_of(text, measure::stiffness), expected) << text;
+}
+
+TEST(Units, UnknownOnesAreCalledSo) {
+  EXPECT_EQ(error_of("1 cP", measure::viscosity),
+            "unknown unit \"cP\", expected dynamic viscosity such as \"1 Pa s\"");
+  EXPECT_EQ(error_of("8e5 N/blob", measure::stiffness),
+            "unknown unit \"N/blob\", expected force per length such as \"8e5 N/m\"");
 }
 
 TEST(Units, ReciprocalsAreNotConverted) {
