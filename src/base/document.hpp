@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -37,9 +38,13 @@ Node parse_file(const std::string& path);
 /// The same of the text of a file called `name`.
 Node parse_text(const std::string& text, const std::string& name);
 
-/// Applies `key=value` as `--set` gives it: the value is TOML, or else taken as text.
-/// Tables of the key are made where absent; "cloth.count" reaches into a list of one entry, and
-/// "cloth[2].count" into the second of several.
+/// A value as TOML, as if --set had given it; nothing where it is bare text such as `0.1 Pa s`.
+std::optional<Node> parse_value(const std::string& text, const std::string& key);
+
+/// Applies `key=value` as `--set` gives it: the value is TOML, or else taken as text; `key=` takes
+/// the key out of the file. Tables of the key are made where absent; "cloth.count" reaches into a
+/// list of one entry, and "cloth[2].count" into the second of several.
+/// @throws InputError
 void apply_setting(Node& root, const std::string& setting);
 
 /// The member that a dotted key names; null where the file does not give it.

@@ -46,6 +46,10 @@ void check_member(const Node& member, const std::vector<std::string>& declared) 
 
 }  // namespace
 
+std::string take_out(const Node& value) {
+  return value.where == "--set" ? "" : "; --set " + value.key + "= takes it out";
+}
+
 std::string plain_key(const std::string& key) {
   std::string plain;
   bool inside = false;

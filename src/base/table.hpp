@@ -25,6 +25,9 @@ Node table_in(const Node& table, const std::string& name);
 /// Every entry of a list of tables; a single table counts as a list of one.
 Node::List tables_in(const Node& table, const std::string& name);
 
+/// How to do without a key: "; --set cloth.ripple= takes it out"; "" where --set itself gave it.
+std::string take_out(const Node& value);
+
 /// "cloth[2].count" -> "cloth.count".
 std::string plain_key(const std::string& key);
 
@@ -204,7 +207,7 @@ class Table {
   static void check(const Key& key, const T& target, const Node& node, int dimension) {
     const Node* value = node.find(key.text.name);
     const bool applies = !key.applies || key.applies(target, dimension);
-    if (value && !applies) throw error_at(*value, "only " + key.where);
+    if (value && !applies) throw error_at(*value, "only " + key.where + take_out(*value));
     if (!value && applies && key.missing && key.missing(target, dimension))
       throw InputError(fmt::format("{}: missing key {}: {}, {}", node.where,
                                    join(node.key, key.text.name), key.text.type, key.text.meaning));

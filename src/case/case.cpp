@@ -37,10 +37,10 @@ void add_solids(CaseFile& file, const Node&, int dimension) {
   for (const SolidSpec& spec : file.solids) {
     SolidCase solid;
     solid.name = spec.name;
-    solid.shape = make_shape(spec.shape, dimension);
+    solid.shape = shape_kinds().make(spec.shape, dimension);
     if (spec.angle != 0) solid.shape = rotate_z(solid.shape, spec.angle);
     solid.centre = spec.centre;
-    solid.drive = make_drive(spec.drive);
+    solid.drive = drive_kinds().make(spec.drive, dimension);
     std::erase_if(solids, [&](const SolidCase& other) { return other.name == spec.name; });
     solids.push_back(std::move(solid));
   }

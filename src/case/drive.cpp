@@ -34,7 +34,10 @@ void check_table(DriveSpec& drive, const Node& node, int) {
   if (drive.times.front() != 0) throw error_at(*node.find("times"), "expected a first time of 0 s");
   for (size_t i = 1; i < drive.times.size(); ++i)
     if (drive.times[i] <= drive.times[i - 1])
-      throw error_at(*node.find("times"), "expected times that increase");
+      throw error_at(*node.find("times"),
+                     fmt::format("expected times that increase, but number {} is {:.6g} s after "
+                                 "{:.6g} s",
+                                 i + 1, drive.times[i], drive.times[i - 1]));
 }
 
 Table<DriveSpec> stroke_table_table() {
@@ -51,20 +54,18 @@ Table<DriveSpec> stroke_table_table() {
 
 }  // namespace
 
-const Kinds<DriveSpec>& drive_kinds() {
-  static const Kinds<DriveSpec> kinds = Kinds<DriveSpec>()
-                                            .kind("rest", rest_table())
-                                            .kind("constant", constant_table())
-                                            .kind("sinusoid", sinusoid_table())
-                                            .kind("table", stroke_table_table());
+const Kinds<DriveSpec, Drive>& drive_kinds() {
+  using Spec = const DriveSpec&;
+  static const auto kinds =
+      Kinds<DriveSpec, Drive>()
+          .kind("rest", rest_table(), [](Spec, int) { return at_rest(); })
+          .kind("constant", constant_table(),
+                [](Spec spec, int) { return constant_speed(spec.speed); })
+          .kind("sinusoid", sinusoid_table(),
+                [](Spec spec, int) { return sinusoid(spec.peak, spec.frequency); })
+          .kind("table", stroke_table_table(),
+                [](Spec spec, int) { return stroke_table(spec.times, spec.speeds, spec.repeat); });
   return kinds;
-}
-
-Drive make_drive(const DriveSpec& spec) {
-  if (spec.kind == "constant") return constant_speed(spec.speed);
-  if (spec.kind == "sinusoid") return sinusoid(spec.peak, spec.frequency);
-  if (spec.kind == "table") return stroke_table(spec.times, spec.speeds, spec.repeat);
-  return at_rest();
 }
 
 }  // namespace washtub

@@ -19,8 +19,7 @@ struct DriveSpec {
   std::vector<double> speeds;  ///< table [rad/s]
   bool repeat = true;          ///< table
 };
-const Kinds<DriveSpec>& drive_kinds();
-Drive make_drive(const DriveSpec& spec);
+const Kinds<DriveSpec, Drive>& drive_kinds();
 
 /// A shape as the case file gives it; each kind uses some of the members.
 struct ShapeSpec {
@@ -38,8 +37,7 @@ struct ShapeSpec {
 
   static constexpr double unbounded = std::numeric_limits<double>::infinity();
 };
-const Kinds<ShapeSpec>& shape_kinds();
-Shape make_shape(const ShapeSpec& spec, int dimension);
+const Kinds<ShapeSpec, Shape>& shape_kinds();
 
 /// A [[solid]] table.
 struct SolidSpec {

@@ -25,7 +25,7 @@ SolidCase agitator_solid(const WasherSpec& washer, int dimension) {
   SolidCase solid;
   solid.name = "agitator";
   solid.shape = agitator_shape(washer.agitator, dimension);
-  solid.drive = make_drive(washer.stroke);
+  solid.drive = drive_kinds().make(washer.stroke, dimension);
   return solid;
 }
 

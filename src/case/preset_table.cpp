@@ -1,4 +1,5 @@
 #include "case/preset.hpp"
+#include "case/tables.hpp"
 
 namespace washtub {
 namespace {
@@ -51,11 +52,9 @@ struct Check {
 void check_below(const Node& root, const std::string& fault, const Check& check) {
   if (check.value < check.limit) return;
   const std::string key = std::string("washer.agitator.") + check.name;
-  const Node* given = find_key(root, key);
-  const Node node =
-      given ? *given : Node{quantity_text(check.value, measure::length), root.where, key};
-  throw error_at(
-      node, fmt::format("{}, allowed: below {:.6g} m ({})", fault, check.limit, check.limit_name));
+  throw error_at_key(
+      root, key, metres(check.value),
+      fmt::format("{}, allowed: below {:.6g} m ({})", fault, check.limit, check.limit_name));
 }
 
 void check_widths(const WasherSpec& washer, const Node& root, int dimension) {
@@ -104,7 +103,8 @@ Table<WasherSpec> washer_table() {
       .key("depth", &WasherSpec::depth, quantity(measure::length, above(0)), "depth of the water")
       .required()
       .only("in 3-D", [](const WasherSpec&, int dimension) { return dimension == 3; })
-      .key("stroke", &WasherSpec::stroke, drive_kinds().format(), "how the agitator turns")
+      .key("stroke", &WasherSpec::stroke, drive_kinds().format(paper_stroke()),
+           "how the agitator turns")
       .table("agitator", &WasherSpec::agitator, agitator_table());
   return table;
 }

@@ -148,47 +148,63 @@ Shape box_shape(const Spec& spec, int dimension) {
 
 std::vector<Shape> make_parts(const Spec& spec, int dimension) {
   std::vector<Shape> shapes;
-  for (const Spec& part : spec.parts) shapes.push_back(make_shape(part, dimension));
+  for (const Spec& part : spec.parts) shapes.push_back(shape_kinds().make(part, dimension));
   return shapes;
 }
 
-Shape unturned(const Spec& spec, int dimension) {
-  if (spec.kind == "sphere") return sphere(spec.centre, spec.radius);
-  if (spec.kind == "cylinder") return cylinder(spec.radius, spec.z_lower, spec.z_upper);
-  if (spec.kind == "box") return box_shape(spec, dimension);
-  if (spec.kind == "capsule") return capsule(spec.a, spec.b, spec.radius);
-  if (spec.kind == "half-space") return half_space(spec.point, spec.normal.normalized());
-  if (spec.kind == "revolution") return revolution(spec.outline);
-  if (spec.kind == "plate") return plate(spec.outline, spec.half_thickness);
+Shape difference_shape(const Spec& spec, int dimension) {
   const std::vector<Shape> parts = make_parts(spec, dimension);
-  if (spec.kind == "union") return unite(parts);
-  if (spec.kind == "intersection") return intersect(parts);
-  if (spec.kind == "complement") return complement(parts.front());
   return subtract(parts.front(), unite({parts.begin() + 1, parts.end()}));
+}
+
+/// What makes a shape, turned about z after everything else.
+template <class Make>
+auto turned(Make make) {
+  return [=](const Spec& spec, int dimension) {
+    const Shape shape = make(spec, dimension);
+    return spec.angle == 0 ? shape : rotate_z(shape, spec.angle);
+  };
+}
+
+/// Shapes that do not depend on the dimension.
+template <class Make>
+auto simple(Make make) {
+  return turned([=](const Spec& spec, int) { return make(spec); });
+}
+
+/// Shapes made of parts.
+template <class Make>
+auto combined(Make make) {
+  return turned([=](const Spec& spec, int dimension) { return make(make_parts(spec, dimension)); });
 }
 
 }  // namespace
 
-const Kinds<ShapeSpec>& shape_kinds() {
-  static const Kinds<ShapeSpec> kinds =
-      Kinds<ShapeSpec>()
-          .kind("sphere", sphere_table())
-          .kind("cylinder", cylinder_table())
-          .kind("box", box_table())
-          .kind("capsule", capsule_table())
-          .kind("half-space", half_space_table())
-          .kind("revolution", revolution_table())
-          .kind("plate", plate_table())
-          .kind("union", combination_table("All of its parts together."))
-          .kind("intersection", combination_table("What its parts have in common."))
-          .kind("difference", difference_table())
-          .kind("complement", complement_table());
+const Kinds<ShapeSpec, Shape>& shape_kinds() {
+  using Parts = const std::vector<Shape>&;
+  static const auto kinds =
+      Kinds<Spec, Shape>()
+          .kind("sphere", sphere_table(),
+                simple([](const Spec& s) { return sphere(s.centre, s.radius); }))
+          .kind("cylinder", cylinder_table(),
+                simple([](const Spec& s) { return cylinder(s.radius, s.z_lower, s.z_upper); }))
+          .kind("box", box_table(), turned(box_shape))
+          .kind("capsule", capsule_table(),
+                simple([](const Spec& s) { return capsule(s.a, s.b, s.radius); }))
+          .kind("half-space", half_space_table(),
+                simple([](const Spec& s) { return half_space(s.point, s.normal.normalized()); }))
+          .kind("revolution", revolution_table(),
+                simple([](const Spec& s) { return revolution(s.outline); }))
+          .kind("plate", plate_table(),
+                simple([](const Spec& s) { return plate(s.outline, s.half_thickness); }))
+          .kind("union", combination_table("All of its parts together."),
+                combined([](Parts parts) { return unite(parts); }))
+          .kind("intersection", combination_table("What its parts have in common."),
+                combined([](Parts parts) { return intersect(parts); }))
+          .kind("difference", difference_table(), turned(difference_shape))
+          .kind("complement", complement_table(),
+                combined([](Parts parts) { return complement(parts.front()); }));
   return kinds;
-}
-
-Shape make_shape(const ShapeSpec& spec, int dimension) {
-  const Shape shape = unturned(spec, dimension);
-  return spec.angle == 0 ? shape : rotate_z(shape, spec.angle);
 }
 
 Table<SolidSpec> solid_table() {

@@ -105,6 +105,21 @@ class Placer {
     return centred_patch(centre, r, s, size(), cloth_.curvature);
   }
 
+  /// Where the next piece might start.
+  Patch candidate() {
+    switch (cloth_.arrangement) {
+      case Arrangement::book:
+        return page();
+      case Arrangement::random:
+        return anywhere();
+      case Arrangement::sheet:
+        return sheet_patch(cloth_, whole_);
+      case Arrangement::ring:
+        return ring_patch(cloth_);
+    }
+    throw InputError("cloth.arrangement: not one of those that are placed");
+  }
+
   bool fill() {
     for (int p = 0; p < cloth_.count; ++p) {
       const auto piece = is_single() ? single() : free_place();
@@ -121,7 +136,7 @@ class Placer {
   std::optional<Piece> free_place() {
     hits_.clear();
     for (int k = 0; k < most_draws; ++k) {
-      Piece piece{cloth_.arrangement == Arrangement::book ? page() : anywhere(), {}};
+      Piece piece{candidate(), {}};
       piece.facets = facets(piece.patch);
       const std::string what = obstacle(piece.facets, piece.facets, cloth_.clearance);
       if (what.empty()) return piece;
@@ -140,9 +155,9 @@ class Placer {
         std::max_element(hits_.begin(), hits_.end(), less)->first));
   }
 
-  std::optional<Piece> single() const {
+  std::optional<Piece> single() {
     const bool ring = cloth_.arrangement == Arrangement::ring;
-    const Patch patch = ring ? ring_patch(cloth_) : sheet_patch(cloth_, whole_);
+    const Patch patch = candidate();
     const Facets all = facets(patch);
     const std::string what = obstacle(all, ring ? all : free_part(patch), 0);
     if (!what.empty())

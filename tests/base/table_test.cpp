@@ -102,7 +102,8 @@ TEST(Schema, ErrorsOfOtherKinds) {
             "wash.toml:3: cloth.weave = \"twil\": expected one of \"plain\", \"twill\", nearest: "
             "\"twill\"");
   EXPECT_EQ(error_of(good + "centre = [\"1 m\", \"2 m\"]"),
-            "wash.toml:3: cloth.centre = [\"1 m\", \"2 m\"]: only for \"twill\"");
+            "wash.toml:3: cloth.centre = [\"1 m\", \"2 m\"]: only for \"twill\"; --set "
+            "cloth.centre= takes it out");
   EXPECT_EQ(error_of(good + "weave = \"twill\"\ncentre = [\"1 m\"]"),
             "wash.toml:4: cloth.centre = [\"1 m\"]: expected a list of 2 quantities such as "
             "\"15 cm\"");
@@ -131,8 +132,39 @@ TEST(Schema, SettingsAddressEntriesOfLists) {
   EXPECT_EQ(input.cloth.at(0).count, 1);
   EXPECT_EQ(input.cloth.at(1).count, 9);
   EXPECT_EQ(error_of(two, {"cloth.count=9"}),
-            "--set cloth.count=9: the case has 2 cloth tables, name one as cloth[1]");
+            "--set cloth.count=9: there are 2 of cloth, name one of cloth[1] to cloth[2]");
   EXPECT_EQ(error_of(two, {"cloth[2].count=-1"}), "--set cloth[2].count = -1: allowed: 0 to 100");
+}
+
+TEST(Schema, SettingsNameEntriesThatExist) {
+  const std::string one = "[[cloth]]\ncount = 1\n";
+  EXPECT_EQ(read(one, {"cloth[1].count=7"}).cloth.at(0).count, 7);
+  EXPECT_EQ(read(good, {"cloth[1].count=7"}).cloth.at(0).count, 7);
+  for (const std::string entry : {"[0]", "[x]", "[1", "[]", "[-1]", "[1]x"})
+    EXPECT_EQ(error_of(one, {"cloth" + entry + ".count=7"}),
+              "--set cloth" + entry + ".count=7: cloth" + entry +
+                  ": expected a number from 1 between the brackets, as in cloth[1]");
+  for (const std::string& text : {one, good})
+    EXPECT_EQ(error_of(text, {"cloth[2].count=7"}),
+              "--set cloth[2].count=7: there is one cloth, name it as cloth or cloth[1]");
+}
+
+TEST(Schema, SettingsReachIntoLists) {
+  const std::string placed = good + "weave = \"twill\"\ncentre = [\"1 m\", \"2 m\"]\n";
+  EXPECT_EQ(read(placed, {"cloth.centre[2]=3 m"}).cloth.at(0).centre, Vec<3>(1, 3, 0));
+  EXPECT_EQ(error_of(placed, {"cloth.centre[3]=3 m"}),
+            "--set cloth.centre[3]=3 m: there are 2 of centre, name one of centre[1] to centre[2]");
+  EXPECT_EQ(error_of(placed, {"cloth.count[1]=3"}),
+            "--set cloth.count[1]=3: count is no list in the case file");
+}
+
+TEST(Schema, SettingsTakeOut) {
+  const std::string two = "[[cloth]]\ncount = 1\n[[cloth]]\ncount = 2\n";
+  EXPECT_EQ(read(two, {"cloth[1]="}).cloth.at(0).count, 2);
+  EXPECT_EQ(error_of(good, {"cloth.count="}),
+            "wash.toml:1: missing key cloth.count: integer, pieces");
+  EXPECT_EQ(error_of(good, {"cloth.weave="}),
+            "--set cloth.weave=: the case file does not give it, so it cannot be taken out");
 }
 
 TEST(Schema, WrittenTextHoldsEveryKeyThatApplies) {
