@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "app/commands.hpp"
 #include "case/case.hpp"
 #include "case/description.hpp"
@@ -13,8 +15,13 @@ namespace {
 /// Bound of the design for fields, masks and multigrid levels of a cell [bytes].
 constexpr double bytes_per_cell = 250;
 
+/// Text at a column, or two spaces further on where what stands before it reaches there.
+std::string columns(const std::string& name, std::size_t column, const std::string& text) {
+  return fmt::format("{:<{}}{}", name, std::max(column, name.size() + 2), text);
+}
+
 void print_line(const std::string& name, const std::string& text) {
-  fmt::print("{:<13}{}\n", name, text);
+  fmt::print("{}\n", columns(name, 13, text));
 }
 
 double cell_count(const Case& whole) {
@@ -36,7 +43,7 @@ void print_groups(const Case& whole) {
     const bool large = group.value >= 1000 && group.value < 1e6;
     const std::string value =
         large ? fmt::format("{:.0f}", group.value) : fmt::format("{:.3g}", group.value);
-    print_line(name, fmt::format("{:<18}{}", group.name + " = " + value, group.meaning));
+    print_line(name, columns(group.name + " = " + value, 18, group.meaning));
     name.clear();
   }
 }
@@ -51,6 +58,7 @@ int command_check(const CaseArguments& arguments) {
   for (const Fact& fact : describe(whole)) print_line(fact.name, fact.value);
   print_memory(whole);
   print_groups(whole);
+  for (const std::string& note : whole.notes) print_line("note", note);
   return 0;
 }
 

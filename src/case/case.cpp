@@ -1,5 +1,7 @@
 #include "case/case.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "case/tables.hpp"
@@ -110,8 +112,15 @@ Table<CaseFile> declare() {
       .table("checkpoint", part<&Case::checkpoint>(), checkpoint_table())
       .then(set_scales)
       .table("scale", part<&Case::scale>(), scale_table())
-      .then(set_times);
+      .then(set_times)
+      .then(fit_output)
+      .then(note_jumps);
   return table;
+}
+
+/// What was changed, as the title does not know it: " (changed: cloth.count=8)".
+std::string changes(const std::vector<std::string>& settings) {
+  return settings.empty() ? "" : fmt::format(" (changed: {})", fmt::join(settings, ", "));
 }
 
 /// The dimension decides how other keys are read, so it is read first.
@@ -135,6 +144,8 @@ Case read_case(const std::string& path, const std::vector<std::string>& settings
   CaseFile file;
   case_table().read(file, root, dimension);
   check_case(file, root);
+  const Node* title = root.find("title");
+  if (title && title->where != "--set") file.result.title += changes(settings);
   case_table().write(file.result.resolved, file, "", dimension);
   return std::move(file.result);
 }

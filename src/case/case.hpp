@@ -142,7 +142,7 @@ struct ScaleCase {
 
 /// All that a simulation needs, in SI units, valid and complete.
 struct Case {
-  std::string title;
+  std::string title;  ///< with the keys that --set changed
   int dimension = 3;
   FluidCase fluid;
   DomainCase domain;
@@ -156,7 +156,8 @@ struct Case {
   OutputCase output;
   CheckpointCase checkpoint;
   ScaleCase scale;
-  std::string resolved;  ///< the case as TOML with explicit units, defaults filled in
+  std::string resolved;            ///< the case as TOML with explicit units, defaults filled in
+  std::vector<std::string> notes;  ///< what the user should know, a sentence each
 };
 
 /// Nodes along r and s: as given, or from `spacing` in lateral cells; {n, 1} in 2-D.

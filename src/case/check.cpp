@@ -52,7 +52,7 @@ void check_times(const Case& whole, const Node& root) {
 InputError error_at_key(const Node& root, const std::string& key, const std::string& value,
                         const std::string& message) {
   if (const Node* node = find_key(root, key)) return error_at(*node, message);
-  const std::string is = value.empty() ? "" : " = " + value;
+  const std::string is = value.empty() ? "" : " = " + value + " (default)";
   return InputError(fmt::format("{}: {}{}: {}", root.where, key, is, message));
 }
 

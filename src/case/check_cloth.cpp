@@ -40,20 +40,38 @@ void check_size(const CaseFile& file, const ClothCase& cloth, const Node& root,
                                      metres(room.size[i])));
 }
 
+/// Where a page begins, and how much room there is for it.
+struct PageEdge {
+  const char* key;
+  double begin, size, room;  ///< [m]
+  const char* fault;
+};
+
+/// Blames the page's begin where the file gives it, else its size.
+void check_edge(const PageEdge& edge, const Node& root, size_t i, size_t total) {
+  if (edge.begin + edge.size <= edge.room) return;
+  const std::string key = cloth_key(i, total, edge.key);
+  if (find_key(root, key))
+    throw error_at_key(
+        root, key, "",
+        fmt::format("{}, allowed: up to {}", edge.fault, metres(edge.room - edge.size)));
+  throw error_at_key(root, cloth_key(i, total, "size"), "",
+                     fmt::format("{} from its {} at {} (default) on, allowed: up to {} that way; "
+                                 "try a smaller cloth.{}",
+                                 edge.fault, edge.key, metres(edge.begin),
+                                 metres(edge.room - edge.begin), edge.key));
+}
+
 /// A page of the book lies between axis and tub wall, bottom and surface.
 void check_page(const CaseFile& file, const ClothCase& cloth, const Node& root, size_t i) {
   if (cloth.arrangement != Arrangement::book || !file.washer || cloth.count == 0) return;
   const size_t total = file.result.cloth.size();
-  const double room = file.washer->radius - cloth.size[0];
-  if (cloth.inner_radius > room)
-    throw error_at_key(
-        root, cloth_key(i, total, "inner_radius"), metres(cloth.inner_radius),
-        fmt::format("the cloth reaches beyond the tub's wall, allowed: up to {}", metres(room)));
-  const double height = file.washer->depth - cloth.size[1];
-  if (cloth.bottom > height)
-    throw error_at_key(
-        root, cloth_key(i, total, "bottom"), metres(cloth.bottom),
-        fmt::format("the cloth reaches above the water, allowed: up to {}", metres(height)));
+  check_edge({"inner_radius", cloth.inner_radius, cloth.size[0], file.washer->radius,
+              "the cloth reaches beyond the tub's wall"},
+             root, i, total);
+  check_edge({"bottom", cloth.bottom, cloth.size[1], file.washer->depth,
+              "the cloth reaches above the water"},
+             root, i, total);
 }
 
 void check_arrangement(const CaseFile& file, const ClothCase& cloth, const Node& root, size_t i) {

@@ -40,8 +40,14 @@ void check_sides(const Case& whole, const Node& root);
 void check_cloth(const CaseFile& file, const Node& root);
 void check_probes(const Case& whole, const Node& root);
 
+/// Shortens the window of the statistics, and the interval of the rows, that a file gives to a run
+/// that --set has made shorter, and says so.
+void fit_output(CaseFile& file, const Node& root, int dimension);
+/// Notes what the case allows but hardly means.
+void note_jumps(CaseFile& file, const Node& root, int dimension);
+
 /// An error at a key of the file; where the file does not give the key, at the file, with the
-/// value that was filled in.
+/// value that was filled in, as its default.
 InputError error_at_key(const Node& root, const std::string& key, const std::string& value,
                         const std::string& message);
 std::string metres(double length);  ///< `"0.5 m"`

@@ -33,14 +33,17 @@ std::optional<double> extreme(const RunRecord& run, const std::vector<std::strin
   return number ? number : largest(run, column);
 }
 
-/// Largest ratio of slip and speed among the samples.
+/// Largest ratio of slip and speed among the samples; where the water was nearly still, of slip and
+/// a hundredth of its largest speed.
 std::optional<double> sampled_slip(const RunRecord& run) {
   const auto* slip = run.history ? run.history->find(names::slip) : nullptr;
   const auto* speed = run.history ? run.history->find(names::speed) : nullptr;
-  if (!slip || !speed) return {};
+  if (!slip || !speed || speed->values.empty()) return {};
+  const double fastest = *std::max_element(speed->values.begin(), speed->values.end());
+  if (fastest <= 0) return {};
   std::optional<double> most;
   for (std::size_t i = 0; i < slip->values.size(); ++i)
-    if (speed->values[i] > 0) most = std::max(slip->values[i] / speed->values[i], most.value_or(0));
+    most = std::max(slip->values[i] / std::max(speed->values[i], 0.01 * fastest), most.value_or(0));
   return most;
 }
 
@@ -171,6 +174,11 @@ void warn_of_steps(const RunRecord& run, Sentences& found) {
         time.step, 100 * share));
 }
 
+void warn_of_case(const RunRecord& run, Sentences& found) {
+  if (run.definition)
+    for (const std::string& note : run.definition->notes) found.push_back(note + '.');
+}
+
 }  // namespace
 
 nlohmann::ordered_json warnings(const RunRecord& run) {
@@ -180,6 +188,7 @@ nlohmann::ordered_json warnings(const RunRecord& run) {
   warn_of_cloth(run, found);
   warn_of_pressure(run, found);
   warn_of_steps(run, found);
+  warn_of_case(run, found);
   return found;
 }
 

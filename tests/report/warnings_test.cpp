@@ -48,6 +48,19 @@ TEST(Warnings, AHairInsideASolidIsNone) {
   EXPECT_TRUE(sentences(read_run(folder.path("a"))).empty());
 }
 
+TEST(Warnings, SpeedsThatJump) {
+  const RunFolder folder;
+  folder.run("a", {});
+  std::string text = RunFolder::case_text();
+  const auto stroke = text.find("stroke = "), end = text.find('\n', stroke);
+  text.replace(stroke, end - stroke,
+               "stroke = { kind = \"table\", times = [\"0 s\", \"1 s\"], speeds = [\"0 rpm\", "
+               "\"20 rpm\"] }");
+  folder.write("a/case.toml", text);
+  EXPECT_THAT(sentences(read_run(folder.path("a"))),
+              ElementsAre(HasSubstr("its speed jumps from 20 to 0 rpm every 1 s")));
+}
+
 TEST(Warnings, ShortRuns) {
   const RunFolder folder;
   folder.write("a/case.toml", RunFolder::case_text());
