@@ -6,7 +6,9 @@ namespace washtub {
 /// Largest values and sums over all steps of a run.
 struct Extremes {
   double divergence = 0, slip = 0, penetration = 0, strain = 0, courant = 0;
-  double slip_share = 0, sum_of_slip_shares = 0;  ///< rms slip over the largest speed
+  double slip_share = 0, sum_of_slip_shares = 0;  ///< rms slip over the largest speed then, or
+                                                  ///< over the least one that counts
+  double speed = 0;                               ///< [m/s]
   long touched = 0, cycles = 0, unconverged = 0, newton = 0;
   double largest_step = 0, smallest_step = 1e30;
 
@@ -18,6 +20,7 @@ struct Extremes {
     archive.value("courant", courant);
     archive.value("slip share", slip_share);
     archive.value("sum of slip shares", sum_of_slip_shares);
+    archive.value("speed", speed);
     archive.value("touched", touched);
     archive.value("pressure cycles", cycles);
     archive.value("unconverged", unconverged);

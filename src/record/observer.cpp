@@ -174,13 +174,24 @@ Sample Observer<D>::observe() {
   return sample;
 }
 
+/// Below this water is as good as still [m/s]: a hundredth of the drive's speed and of the largest
+/// one so far; a Reynolds number of 1e-6.
+template <int D>
+double Observer<D>::least_speed() const {
+  const Case& c = simulation_.definition();
+  const double length = c.scale.length > 0 ? c.scale.length : c.domain.size.x();
+  const double creep = 1e-6 * c.fluid.viscosity / (c.fluid.density * length);
+  return std::max({0.01 * c.scale.speed * length, 0.01 * extremes_.speed, creep});
+}
+
 template <int D>
 void Observer<D>::watch(const typename Simulation<D>::Step& step) {
   auto& e = extremes_;
   e.divergence = std::max(e.divergence, step.divergence);
   e.courant = std::max(e.courant, step.courant);
   e.slip = std::max(e.slip, step.cloth.slip);
-  const double share = step.speed > 0 ? step.cloth.slip / step.speed : 0;
+  e.speed = std::max(e.speed, step.speed);
+  const double share = step.cloth.slip / std::max(step.speed, least_speed());
   e.slip_share = std::max(e.slip_share, share);
   e.sum_of_slip_shares += share;
   e.penetration = std::max(e.penetration, step.cloth.barrier.penetration);

@@ -31,6 +31,7 @@ class Observer {
   const Extremes& extremes() const { return extremes_; }
 
  private:
+  double least_speed() const;
   StepSample observe_step() const;
   SolidSample observe_solid(std::size_t solid, double time);
   void observe_cloth(Sample& s, const Interval& since);

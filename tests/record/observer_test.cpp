@@ -90,5 +90,35 @@ TEST(Observer, StreamPushesThePost) {
   EXPECT_EQ(force[2], 0);
 }
 
+/// Cloth at rest in still water: what moves is round-off, whose ratios mean nothing.
+TEST(Observer, SlipIsNoShareOfStillWater) {
+  Case whole = box();
+  whole.cloth = {thread()};
+  whole.cloth[0].origin = {0.3, 0.5, 0};
+  Simulation<2> simulation(whole, Parallel());
+  Observer<2> observer(simulation);
+  for (int s = 0; s < 5; ++s) observer.watch(simulation.step(1));
+  EXPECT_LE(observer.extremes().speed, 1e-10);
+  EXPECT_LE(observer.extremes().slip_share, 1e-3);
+}
+
+/// Slips are measured by the step's own speed, and by the run's while the water has come to rest.
+TEST(Observer, SlipIsAShareOfTheSpeed) {
+  const Case whole = box();
+  Simulation<2> simulation(whole, Parallel());
+  Observer<2> observer(simulation);
+  Simulation<2>::Step step{};
+  const auto watch = [&](double speed, double slip) {
+    step.speed = speed;
+    step.cloth.slip = slip;
+    observer.watch(step);
+    return observer.extremes();
+  };
+  EXPECT_DOUBLE_EQ(watch(2, 0.1).slip_share, 0.05);
+  EXPECT_DOUBLE_EQ(watch(1e-9, 1e-8).slip_share, 0.05);
+  EXPECT_DOUBLE_EQ(watch(1, 0.2).slip_share, 0.2);
+  EXPECT_NEAR(observer.extremes().sum_of_slip_shares, 0.25, 1e-6);
+}
+
 }  // namespace
 }  // namespace washtub
