@@ -13,7 +13,7 @@ struct Lattice {
   int axes = 3;                               ///< components of the velocity: 2 in plane cases
   std::vector<float> velocity;                ///< [axis][z][y][x], m/s
   std::vector<float> vorticity;               ///< [y][x] in plane cases, else empty [1/s]
-  std::vector<float> solid;                   ///< share within solids, 0 to 1
+  std::vector<float> solid;                   ///< 1 - largest open fraction of the cell's faces
   std::vector<FieldValues<float>> scalars{};  ///< all others that the frames have
 
   std::size_t size() const { return solid.size(); }
@@ -25,7 +25,7 @@ Lattice lattice(const WaterFrame& water, int dimension, const Vec<3>& spacing,
                 std::array<bool, 2> periodic);
 
 /// Cells of twice the size along every axis that has more than one: mean over the open part of the
-/// cells in each, and mean of the share within solids. At an odd number of cells the last one keeps
+/// cells in each, and mean of `solid`. At an odd number of cells the last one keeps
 /// only its inner half.
 Lattice coarsen(const Lattice& fine);
 

@@ -164,6 +164,30 @@ double end_of_step_error(int steps) {
   return (momentum(box) - expected).norm() / gross;
 }
 
+/// A push of cloth across the surface of a disc at rest, in a periodic box, until all is steady:
+/// then the disc receives what the cloth gives, however much of it goes to half open faces.
+double share_received(double gamma) {
+  auto setup = stirred_box<2>(0, 0, 2);
+  setup.gamma = gamma;
+  WaterBox<2> box(setup);
+  double given = 0;
+  for (int d = 0; d < 2; ++d)
+    box.for_cells([&](const Index<2>& c, long p) {
+      const Vec<2> away = box.grid.position(c, d) - Vec<2>(0.46, 0.71);
+      box.flow.force()[d][p] = d == 0 ? std::exp(-away.squaredNorm() / 0.003) : 0;
+      given += box.flow.force()[d][p] * box.grid.mesh().cell_volume();
+    });
+  for (int s = 0; s < 400; ++s) box.step(0.01, 1e-10);
+  const auto loads = box.loads(0);
+  EXPECT_GT(box.grid.parallel().sum(loads.cloth.force[0]), 0.2 * box.grid.parallel().sum(given));
+  return over_ranks<2>(box, loads.total().force)[0] / box.grid.parallel().sum(given);
+}
+
+TEST(Momentum, ASolidReceivesWhatClothGivesToItsSurface) {
+  EXPECT_NEAR(share_received(0), 1, 1e-4);
+  EXPECT_NEAR(share_received(2.0 / 32), 1, 1e-4);
+}
+
 TEST(Momentum, LoadsAtTheEndOfAStepCloseTheBudgetToFirstOrder) {
   const double coarse = end_of_step_error(50), fine = end_of_step_error(100);
   EXPECT_LE(coarse, 0.02);

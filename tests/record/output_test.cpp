@@ -3,10 +3,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
 #include "base/error.hpp"
 #include "io/frame_reader.hpp"
 #include "io/scratch.hpp"
 #include "record/fields.hpp"
+#include "record/names.hpp"
 #include "record/reference.hpp"
 
 namespace washtub {
@@ -80,6 +86,45 @@ TEST(Output, SummaryOfARunThatHasHardlyBegun) {
   EXPECT_THAT(text, HasSubstr("\"mean [Pa]\": null"));
   EXPECT_EQ(text.find("nan"), std::string::npos);
   EXPECT_EQ(text.find("inf"), std::string::npos);
+}
+
+/// The value `solid` of every cell of a unit square of 32 x 32 cells with this solid in it.
+std::vector<float> solid_of(const Shape& shape, Mapping mapping) {
+  Case whole;
+  whole.dimension = 2;
+  whole.domain.size = {1, 1, 0};
+  whole.domain.cells = {32, 32, 1};
+  whole.domain.mapping = mapping;
+  whole.time.end = 1;
+  whole.solids = {{"body", shape, Vec<3>::Zero(), at_rest()}};
+  const Scratch folder;
+  Simulation<2> simulation(whole, Parallel());
+  Observer<2> observer(simulation);
+  Output<2>(simulation, observer, folder.path()).add_frame();
+  for (const auto& field : FrameReader(frame_path(folder.path(), 0)).water().fields)
+    if (field.field.name == names::solid) return field.values;
+  return {};
+}
+
+/// A square that covers 8 x 8 cells, but not quite: 6 x 6 of them have no open face.
+TEST(Output, SolidIsWhereNoWaterCanEnter) {
+  const Shape square = washtub::box({0.251, 0.251, -1}, {0.499, 0.499, 1});
+  const auto solid = solid_of(square, Mapping::sharp);
+  EXPECT_EQ(std::accumulate(solid.begin(), solid.end(), 0.0F), 36);
+  EXPECT_EQ(solid[9 + 32 * 9], 1);
+  EXPECT_EQ(solid[8 + 32 * 9], 0);
+}
+
+/// Cells at a smooth floor are as open as their upper faces: H of Eq. (11), two cells wide.
+TEST(Output, SolidFollowsTheMostOpenFace) {
+  const Shape floor = half_space({0, 0.25, 0}, {0, 1, 0});
+  const auto solid = solid_of(floor, Mapping::smooth);
+  for (std::size_t j = 5; j <= 9; ++j) {
+    const double psi = (0.25 - static_cast<double>(j + 1) / 32) * 16;  // in gamma
+    const double inside = 0.5 * (1 + psi + std::sin(std::numbers::pi * psi) / std::numbers::pi);
+    EXPECT_NEAR(solid[16 + 32 * j], std::clamp(std::abs(psi) < 1 ? inside : psi, 0.0, 1.0), 1e-6)
+        << j;
+  }
 }
 
 }  // namespace
