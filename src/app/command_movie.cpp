@@ -18,6 +18,7 @@
 #include "app/movie_tools.hpp"
 #include "app/protect.hpp"
 #include "base/error.hpp"
+#include "base/exit_code.hpp"
 #include "base/units.hpp"
 #include "io/file.hpp"
 #include "record/stop.hpp"
@@ -29,7 +30,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int interrupted = 130;
+constexpr int cannot_start = 127;
 constexpr std::size_t page_limit = 200'000'000;  ///< [bytes], so that little is thinned
 
 /// A folder for the page, removed at the end.
@@ -132,7 +133,7 @@ void make_page(const std::string& directory, const std::string& file) {
   char* const words[] = {program.data(), script.data(), options.data(), nullptr};
   execv(words[0], words);
   fmt::print(stderr, "washtub: {} cannot be started: {}\n", program, std::strerror(errno));
-  _exit(127);
+  _exit(cannot_start);
 }
 
 /// Runs the script until it ends or this process is asked to stop. Returns the exit code.
@@ -146,8 +147,9 @@ int run_script(const MovieTools& tools, const std::string& options) {
     if (stop_requested() && !told) told = kill(child, SIGTERM) == 0;
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
-  if (told) return interrupted;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+  if (told) return exit_stopped;
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : exit_failed;
+  return code == cannot_start ? exit_failed : code;
 }
 
 }  // namespace
@@ -165,7 +167,7 @@ int command_movie(const MovieArguments& arguments) {
   const PartialFile movie(target);
   const TemporaryFolder folder;
   make_page(arguments.directory, folder.file("report.html"));
-  if (stop_requested()) return interrupted;
+  if (stop_requested()) return exit_stopped;
   options.update({{"page", folder.file("report.html")},
                   {"output", movie.path()},
                   {"browser", tools.browser},

@@ -62,18 +62,22 @@ int command_report(const ReportArguments& arguments) {
   return 0;
 }
 
-void report_run(const std::string& directory) {
+bool report_run(const std::string& directory) {
   std::error_code error;
-  if (!fs::exists(fs::path(directory) / "history.csv", error)) return;
+  if (!fs::exists(fs::path(directory) / "history.csv", error)) return true;
   std::string line;
+  bool made = true;
   try {
     const std::size_t limit = parse_size(ReportArguments().size);
     line = report(directory, default_path(directory), limit);
   } catch (const std::exception& failure) {
-    line = fmt::format("no report: {}", failure.what());
+    line = fmt::format("no report: {}; the results are there, make it with: washtub report {}",
+                       failure.what(), directory);
+    made = false;
   }
-  fmt::print(stderr, "{}\n", line);
+  std::fputs((line + '\n').c_str(), stderr);
   add_to_log(directory, line);
+  return made;
 }
 
 }  // namespace washtub

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 
 #include "app/commands.hpp"
@@ -10,6 +11,7 @@
 #include "app/report.hpp"
 #include "app/start_point.hpp"
 #include "base/error.hpp"
+#include "base/exit_code.hpp"
 #include "io/agree.hpp"
 #include "record/run.hpp"
 #include "record/stop.hpp"
@@ -36,7 +38,9 @@ int rank() {
   return value;
 }
 
-void print_error(const char* message) { fmt::print(stderr, "washtub: {}\n", message); }
+void print_error(const char* message) {
+  std::fputs(fmt::format("washtub: {}\n", message).c_str(), stderr);
+}
 
 /// Whether all ranks come here within two seconds, so that none is left waiting for another.
 bool all_failed() {
@@ -63,18 +67,19 @@ int fail(const char* message, int code, const LastWords& last_words) {
 
 bool is_prepared() { return std::getenv(resumed_mark) != nullptr; }
 
-/// Under a launcher other than ours rank 0 still has to see to the start.
-void prepare_once(const RunArguments& arguments, const Case& whole, RunOptions& options) {
+/// Under a launcher other than ours rank 0 still has to see to the start, and holds the directory.
+DirectoryLock prepare_once(const RunArguments& arguments, const Case& whole, RunOptions& options) {
+  DirectoryLock lock;
   if (is_prepared()) {
     options.resumed = std::getenv(resumed_mark);
     options.developed = std::getenv(developed_mark);
-    return;
+    return lock;
   }
   const Parallel parallel;
   std::string refusal;
   if (parallel.root()) {
     try {
-      prepare_start(arguments, whole, options);
+      lock = prepare_start(arguments, whole, options);
     } catch (const InputError& error) {
       refusal = error.what();
     }
@@ -83,6 +88,14 @@ void prepare_once(const RunArguments& arguments, const Case& whole, RunOptions& 
   if (!refusal.empty()) throw InputError(refusal);
   options.resumed = from_root(parallel, options.resumed);
   options.developed = from_root(parallel, options.developed);
+  return lock;
+}
+
+/// The exit code of a run whose page could not be made.
+int without_report(int code) { return code == exit_done ? exit_no_report : code; }
+
+void print_notes(const Case& whole) {
+  for (const std::string& note : whole.notes) fmt::print(stderr, "note: {}\n", note);
 }
 
 /// One rank of the simulation. Ranks that command_run has launched leave the report to it, since
@@ -92,18 +105,18 @@ int simulate(const RunArguments& arguments, RunOptions options) {
   const Mpi mpi;
   install_stop_handlers();
   const auto report = [&] {
-    if (arguments.report && !launched) report_run(options.directory);
+    return !arguments.report || launched || report_run(options.directory);
   };
   try {
     const Case whole = read_case(arguments.input.path, arguments.input.settings);
-    prepare_once(arguments, whole, options);
+    const DirectoryLock lock = prepare_once(arguments, whole, options);
+    if (rank() == 0 && !launched) print_notes(whole);
     const int code = run_case(whole, options);
-    if (rank() == 0) report();
-    return code;
+    return rank() > 0 || report() ? code : without_report(code);
   } catch (const InputError& error) {
-    return fail(error.what(), 2, [] {});
+    return fail(error.what(), exit_wrong_input, [] {});
   } catch (const std::exception& error) {
-    return fail(error.what(), 1, report);
+    return fail(error.what(), exit_failed, report);
   }
 }
 
@@ -147,13 +160,14 @@ int command_run(RunArguments arguments) {
   const Case whole = read_case(arguments.input.path, arguments.input.settings);
   check_build(whole);
   const int ranks = choose_ranks(arguments, whole);
-  prepare_start(arguments, whole, options);
+  const DirectoryLock lock = prepare_start(arguments, whole, options);
   setenv(resumed_mark, options.resumed.c_str(), 1);
   setenv(developed_mark, options.developed.c_str(), 1);
   if (ranks == 1) return simulate(arguments, options);
+  print_notes(whole);
   const int code = launch_ranks(ranks, arguments.all);
-  if (arguments.report && code != 2) report_run(options.directory);
-  return code;
+  if (!arguments.report || code == exit_wrong_input || report_run(options.directory)) return code;
+  return without_report(code);
 }
 
 }  // namespace washtub

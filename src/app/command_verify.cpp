@@ -8,6 +8,7 @@
 #include "app/commands.hpp"
 #include "app/launch.hpp"
 #include "base/error.hpp"
+#include "base/exit_code.hpp"
 #include "base/nearest.hpp"
 #include "io/file.hpp"
 #include "record/stop.hpp"
@@ -18,8 +19,6 @@ namespace washtub {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr int interrupted = 130;
 
 std::string own_program() { return fs::read_symlink("/proc/self/exe").string(); }
 
@@ -108,10 +107,10 @@ Report make_report(std::vector<CaseRuns>&& cases, const RunPlan& plan) {
 
 int exit_code(const Report& report, bool allow_known) {
   const Count n = count(report);
-  if (report.interrupted) return interrupted;
-  if (n.wrong_input > 0) return 2;
+  if (report.interrupted) return exit_stopped;
+  if (n.wrong_input > 0) return exit_wrong_input;
   const int misses = n.miss + (allow_known ? 0 : n.known_miss);
-  return misses > 0 || n.failed_runs > 0 ? 1 : 0;
+  return misses > 0 || n.failed_runs > 0 ? exit_failed : exit_done;
 }
 
 }  // namespace

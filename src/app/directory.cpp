@@ -34,9 +34,25 @@ constexpr const char* results[] = {"history.csv", "tracks.csv",     "summary.jso
                                    "frames.xdmf", "paraview.xdmf2", "frames",       "report.html",
                                    "movie.mp4",   "checkpoints"};
 
+/// Whether there is anything but our lock in the directory.
+bool holds_files(const std::string& directory) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(directory, error))
+    if (entry.path().filename() != DirectoryLock::name) return true;
+  return false;
+}
+
+void remove_results(const std::string& directory) {
+  std::error_code error;
+  for (const char* name : results) {
+    fs::remove_all(fs::path(directory) / name, error);
+    fs::remove(fs::path(directory) / fmt::format("{}.part", name), error);
+  }
+}
+
 }  // namespace
 
-void prepare_directory(const std::string& directory, bool force) {
+DirectoryLock prepare_directory(const std::string& directory, bool force) {
   std::error_code error;
   if (fs::exists(directory, error) && !fs::is_directory(directory, error))
     throw InputError(fmt::format("{}: is not a directory; name another one with -o", directory));
@@ -44,14 +60,14 @@ void prepare_directory(const std::string& directory, bool force) {
   if (error) throw InputError(fmt::format("{}: cannot be made: {}", directory, error.message()));
   if (access(directory.c_str(), W_OK | X_OK) != 0)
     throw InputError(fmt::format("{}: cannot be written; name another one with -o", directory));
-  if (!force && !fs::is_empty(directory, error))
+  DirectoryLock lock(directory);
+  if (!lock.note().empty()) fmt::print(stderr, "washtub: {}\n", lock.note());
+  if (!force && holds_files(directory))
     throw InputError(fmt::format(
         "{}: holds results already; name another directory with -o, or overwrite them with --force",
         directory));
-  for (const char* name : results) {
-    fs::remove_all(fs::path(directory) / name, error);
-    fs::remove(fs::path(directory) / fmt::format("{}.part", name), error);
-  }
+  remove_results(directory);
+  return lock;
 }
 
 }  // namespace washtub

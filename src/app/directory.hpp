@@ -1,6 +1,8 @@
 #pragma once
 #include <string>
 
+#include "io/lock.hpp"
+
 namespace washtub {
 
 /// out/<name of the case>: its file's name, or its folder's where the file is called case.toml.
@@ -10,8 +12,8 @@ std::string default_directory(const std::string& case_path);
 void protect_case(const std::string& case_path, const std::string& directory);
 
 /// On return the directory exists, can be written, and holds no results of another run; with
-/// `force` those that it held are gone.
+/// `force` those that it held are gone. No other run can write there while the lock lives.
 /// @throws InputError
-void prepare_directory(const std::string& directory, bool force);
+[[nodiscard]] DirectoryLock prepare_directory(const std::string& directory, bool force);
 
 }  // namespace washtub

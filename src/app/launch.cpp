@@ -17,17 +17,21 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "base/exit_code.hpp"
+#include "record/stop.hpp"
 
 namespace washtub {
 namespace {
 
 volatile std::sig_atomic_t launcher = 0;  ///< process id of mpirun
-volatile std::sig_atomic_t signals = 0;   ///< how often we were asked to stop
+volatile std::sig_atomic_t told = 0;      ///< whether we were asked to stop
 
 /// mpirun would kill the ranks on SIGINT, but hands SIGUSR1 on to them.
-void pass_on(int) {
-  signals = signals + 1;
-  if (launcher > 0) kill(static_cast<pid_t>(launcher), signals == 1 ? SIGUSR1 : SIGTERM);
+void pass_on(int signal) {
+  static SignalCounter counter;
+  told = 1;
+  const int passed = counter.is_second(signal) ? SIGTERM : SIGUSR1;
+  if (launcher > 0) kill(static_cast<pid_t>(launcher), passed);
 }
 
 /// Everything that names a hardware thread's core: its siblings.
@@ -69,7 +73,7 @@ int wait_for(pid_t child) {
   while (waitpid(child, &status, 0) < 0)
     if (errno != EINTR) throw RunError(fmt::format("mpirun: {}", std::strerror(errno)));
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 1;
-  return signals > 0 && code != 0 ? 130 : code;
+  return told && code != 0 ? exit_stopped : code;
 }
 
 }  // namespace
@@ -92,16 +96,15 @@ int physical_cores() {
 int launch_ranks(int ranks, const std::vector<std::string>& arguments) {
   std::vector<std::string> command = mpirun_command(ranks);
   command.insert(command.end(), arguments.begin() + 1, arguments.end());
-  std::signal(SIGINT, pass_on);
-  std::signal(SIGTERM, pass_on);
+  at_stop_signals(pass_on);
+  std::signal(SIGPIPE, SIG_IGN);
   const pid_t child = fork();
   if (child < 0) throw RunError(fmt::format("mpirun: {}", std::strerror(errno)));
   if (child == 0) become(command);
   launcher = child;
   const int code = wait_for(child);
   launcher = 0;
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+  at_stop_signals(SIG_DFL);
   if (code == 127) throw RunError("mpirun cannot be started; install openmpi-bin or use -n 1");
   return code;
 }

@@ -11,7 +11,8 @@ bool inside_mpi();
 int physical_cores();
 
 /// Runs this program again with the same arguments under mpirun and returns its exit code.
-/// SIGINT and SIGTERM are passed on so that the ranks finish their step; a second one ends them.
+/// SIGINT, SIGTERM and SIGHUP are passed on so that the ranks finish their step; a second SIGINT or
+/// SIGTERM ends them.
 /// @throws RunError where mpirun cannot be started
 int launch_ranks(int ranks, const std::vector<std::string>& arguments);
 

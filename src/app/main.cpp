@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <exception>
 #include <map>
 #include <string>
@@ -10,6 +12,8 @@
 
 #include "app/commands.hpp"
 #include "base/error.hpp"
+#include "base/exit_code.hpp"
+#include "io/file.hpp"
 
 namespace washtub {
 namespace {
@@ -136,6 +140,7 @@ int command_line(int argc, char** argv) {
   CLI::App app("Washtub: how water moves clothes in a washing machine");
   app.set_version_flag("--version", program_name);
   app.require_subcommand(1);
+  app.footer(exit_codes);
   RunArguments run;
   run.all.assign(argv, argv + argc);
   add_run(app, run);
@@ -160,7 +165,7 @@ int command_line(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     check_command(app, argc > 1 ? argv[1] : "-");
     fmt::print(stderr, "washtub: {}\nTry washtub --help.\n", error.what());
-    return 2;
+    return exit_wrong_input;
   }
   if (app.got_subcommand("run")) return command_run(run);
   if (app.got_subcommand("modes")) return command_modes(modes);
@@ -171,18 +176,29 @@ int command_line(int argc, char** argv) {
   return app.got_subcommand("check") ? command_check(check) : command_reference(reference);
 }
 
+/// On stderr, whether or not anybody takes it.
+void tell(const std::exception& error) {
+  std::fputs(fmt::format("washtub: {}\n", error.what()).c_str(), stderr);
+}
+
+/// @throws RunError where what was printed could not be written
+void flush_output() {
+  if (std::fflush(stdout) != 0) throw RunError(cannot_write("standard output", errno));
+}
+
 }  // namespace
 }  // namespace washtub
 
-/// Exit codes: 0 done, 1 the simulation failed, 2 the input is wrong, 130 stopped on request.
 int main(int argc, char** argv) {
   try {
-    return washtub::command_line(argc, argv);
+    const int code = washtub::command_line(argc, argv);
+    washtub::flush_output();
+    return code;
   } catch (const washtub::InputError& error) {
-    fmt::print(stderr, "washtub: {}\n", error.what());
-    return 2;
+    washtub::tell(error);
+    return washtub::exit_wrong_input;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "washtub: {}\n", error.what());
-    return 1;
+    washtub::tell(error);
+    return washtub::exit_failed;
   }
 }

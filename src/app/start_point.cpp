@@ -68,22 +68,23 @@ void settle_directory(RunArguments& arguments) {
   if (arguments.directory.empty()) arguments.directory = default_directory(path);
 }
 
-void prepare_start(const RunArguments& arguments, const Case& whole, RunOptions& options) {
+DirectoryLock prepare_start(const RunArguments& arguments, const Case& whole, RunOptions& options) {
   if (!arguments.from.empty())
     options.developed =
         fs::is_directory(arguments.from) ? newest_of(arguments.from) : arguments.from;
   if (!options.developed.empty()) check_checkpoint(options.developed);
-  if (arguments.resume && never_saved(options.directory)) {
-    fmt::print(stderr, "washtub: {}: no checkpoint yet, starting from the beginning\n",
-               options.directory);
-    prepare_directory(options.directory, true);
-  } else if (arguments.resume) {
-    options.resumed = newest_of(options.directory);
-    check_case(options.resumed, whole);
-  } else {
-    protect_case(arguments.input.path, options.directory);
-    prepare_directory(options.directory, options.force);
+  if (!arguments.resume || never_saved(options.directory)) {
+    if (arguments.resume)
+      fmt::print(stderr, "washtub: {}: no checkpoint yet, starting from the beginning\n",
+                 options.directory);
+    else
+      protect_case(arguments.input.path, options.directory);
+    return prepare_directory(options.directory, options.force || arguments.resume);
   }
+  DirectoryLock lock(options.directory);
+  options.resumed = newest_of(options.directory);
+  check_case(options.resumed, whole);
+  return lock;
 }
 
 }  // namespace washtub

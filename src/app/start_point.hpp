@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "io/lock.hpp"
 #include "record/run.hpp"
 
 namespace washtub {
@@ -12,8 +13,10 @@ namespace washtub {
 void settle_directory(RunArguments& arguments);
 
 /// Makes the directory of a new run ready, or finds the checkpoint to go on from; sets
-/// options.resumed and options.developed. What there is to say goes to stderr.
+/// options.resumed and options.developed. What there is to say goes to stderr. No other run can
+/// write to the directory while the lock lives.
 /// @throws InputError where there is nothing to start from, or a checkpoint is of another case
-void prepare_start(const RunArguments& arguments, const Case& whole, RunOptions& options);
+[[nodiscard]] DirectoryLock prepare_start(const RunArguments& arguments, const Case& whole,
+                                          RunOptions& options);
 
 }  // namespace washtub

@@ -20,6 +20,9 @@ std::string clock(double seconds) {
                   : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
 }
 
+/// Whether or not anybody takes it: a run goes on without its terminal.
+void tell(const std::string& text) { std::fputs(text.c_str(), stderr); }
+
 }  // namespace
 
 Progress::Progress(double end, bool shown)
@@ -39,14 +42,14 @@ bool Progress::show(double time, const std::string& state) {
   next_ = spent + (terminal_ ? 0.5 : 10);
   const double share = time / end_;
   const std::string left = share > 0 ? clock(spent / share * (1 - share)) : "?";
-  fmt::print(stderr, "{}t {:.4g} of {:.4g} s ({:.0f} %)  {}  {} to go{}", terminal_ ? "\r" : "",
-             time, end_, 100 * share, state, left, terminal_ ? "\x1b[K" : "\n");
+  tell(fmt::format("{}t {:.4g} of {:.4g} s ({:.0f} %)  {}  {} to go{}", terminal_ ? "\r" : "", time,
+                   end_, 100 * share, state, left, terminal_ ? "\x1b[K" : "\n"));
   std::fflush(stderr);
   return true;
 }
 
 void Progress::finish() const {
-  if (shown_ && terminal_) fmt::print(stderr, "\n");
+  if (shown_ && terminal_) tell("\n");
 }
 
 }  // namespace washtub

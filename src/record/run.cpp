@@ -5,8 +5,10 @@
 #include <spdlog/spdlog.h>
 
 #include <cmath>
+#include <cstdio>
 
 #include "base/error.hpp"
+#include "base/exit_code.hpp"
 #include "base/snapshot.hpp"
 #include "io/checkpoint.hpp"
 #include "io/file.hpp"
@@ -19,7 +21,6 @@
 namespace washtub {
 namespace {
 
-constexpr int stopped = 130;
 constexpr int tries = 3;       // of an interval between rows, each with half the step
 constexpr double share = 0.5;  // of the step before, from try to try
 
@@ -64,6 +65,7 @@ class Run {
         clock_(whole.checkpoint),
         progress_(whole.time.end, parallel_.root()) {
     log_->info("{}", fmt::join(options.arguments, " "));
+    for (const std::string& note : whole.notes) log_->info("note: {}", note);
     const auto& ranks = simulation_.grid().ranks();
     log_->info("{} ranks ({}), {} pieces of cloth, {} nodes", parallel_.size(),
                fmt::join(ranks, " x "), simulation_.cloth().pieces(), simulation_.cloth().nodes());
@@ -147,7 +149,7 @@ class Run {
     save();
     write(true);
     finish("stopped");
-    return stopped;
+    return exit_stopped;
   }
 
   /// A step; where it fails, those since the last row are done again with smaller ones. Where that
@@ -210,7 +212,7 @@ class Run {
   /// Tells the user and the log.
   void tell(const std::string& text) {
     log_->warn("{}", text);
-    if (parallel_.root()) fmt::print(stderr, "washtub: {}\n", text);
+    if (parallel_.root()) std::fputs(fmt::format("washtub: {}\n", text).c_str(), stderr);
   }
 
   void finish(const std::string& outcome) {
@@ -220,7 +222,8 @@ class Run {
         fmt::format("{}: t {:.6g} s, {} steps, {:.1f} s of computing", outcome, simulation_.time(),
                     simulation_.last().number, progress_.elapsed());
     log_->info(line);
-    if (parallel_.root()) fmt::print(stderr, "{}; results in {}\n", line, options_.directory);
+    if (parallel_.root())
+      std::fputs(fmt::format("{}; results in {}\n", line, options_.directory).c_str(), stderr);
   }
 
   const Case& case_;

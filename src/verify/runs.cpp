@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "base/exit_code.hpp"
 #include "io/file.hpp"
 #include "verify/jobs.hpp"
 
@@ -23,7 +24,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* mark = "finished.json";  ///< in the folder of a run that is whole
 constexpr const char* wall_key = "wall time [s]";
-constexpr int interrupted = 130;
 
 std::string content(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -78,9 +78,9 @@ std::string error_line(const std::string& console) {
 void finish(CaseRuns& c, std::size_t i, const RunPlan& plan, int code, double wall) {
   RunResult& result = c.runs[i];
   result.wall = wall;
-  result.state = code == 0                            ? RunState::done
-                 : code == interrupted || plan.stop() ? RunState::stopped
-                                                      : RunState::failed;
+  result.state = code == 0                             ? RunState::done
+                 : code == exit_stopped || plan.stop() ? RunState::stopped
+                                                       : RunState::failed;
   if (result.state == RunState::failed) {
     result.error = error_line(result.directory + "/console.txt");
     if (result.error.empty()) result.error = fmt::format("ended with code {}", code);

@@ -27,9 +27,10 @@ class Program : public ::testing::Test {
   }
   ~Program() override { fs::remove_all(folder); }
 
-  Outcome run(const std::string& arguments) const {
-    const std::string command = "cd " + folder.string() + " && env" + without_launcher() +
-                                " " WASHTUB_PROGRAM " " + arguments + " 2>&1";
+  /// `before`: commands of the shell that come first.
+  Outcome run(const std::string& arguments, const std::string& before = "") const {
+    const std::string command = "cd " + folder.string() + " && " + before + "env" +
+                                without_launcher() + " " WASHTUB_PROGRAM " " + arguments + " 2>&1";
     FILE* pipe = popen(command.c_str(), "r");
     Outcome outcome;
     std::array<char, 4096> part{};
@@ -38,6 +39,18 @@ class Program : public ::testing::Test {
     const int status = pclose(pipe);
     outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     return outcome;
+  }
+  /// Starts the program and does not wait for it; what it prints goes to console.txt.
+  pid_t start(const std::string& arguments, const std::string& before = "") const {
+    const std::string command = "cd " + folder.string() + " && " + before + "exec env" +
+                                without_launcher() + " " WASHTUB_PROGRAM " " + arguments +
+                                " > console.txt 2>&1";
+    const pid_t child = fork();
+    if (child == 0) {
+      execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+      _exit(127);
+    }
+    return child;
   }
   /// The command fails as wrong input, says so in one line, and writes nothing.
   void refuses(const std::string& arguments, const std::string& message) const {

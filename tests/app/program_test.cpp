@@ -117,3 +117,33 @@ TEST_F(Program, PagesOfTheDocumentsAreCurrent) {
   expect("input.md", "reference");
   expect("output.md", "reference --output");
 }
+
+TEST_F(Program, CheckKeepsItsColumnsApart) {
+  const std::string group =
+      "[[cloth]]\nsize = [\"10 cm\", \"10 cm\"]\nbending_stiffness = \"1e-5 N m\"\n"
+      "thickness = \"1 mm\"\nstretch_stiffness = ";
+  std::ofstream(folder / "two.toml")
+      << "[washer]\nradius = \"31 cm\"\ndepth = \"24 cm\"\n[fluid]\nviscosity = \"1 Pa s\"\n"
+         "[domain]\ncells = 32\n[time]\nend = \"1 s\"\n"
+      << group << "\"8e5 N/m\"\n"
+      << group << "\"8e-5 N/m\"\n";
+  const std::string text = run("check two.toml").text;
+  EXPECT_THAT(text, HasSubstr("Te of cloth 1 = 170  stretch stiffness"));
+  EXPECT_THAT(text, HasSubstr("Te of cloth 2 = 1.7e-08  stretch stiffness"));
+}
+
+TEST_F(Program, CheckAndRunTellNotes) {
+  const std::string note = wash() + ":38: output.window = ";
+  EXPECT_THAT(run("check " + wash() + " --set time.end='0.2 s'").text,
+              HasSubstr("\nnote         " + note));
+  const std::string shorter = " --set time.end='1 ms' --set domain.cells=8 --set cloth.count=0";
+  for (const std::string ranks : {"1", "2"}) {
+    const Outcome outcome = run("run " + wash() + shorter + " --force --no-report -n " + ranks);
+    EXPECT_EQ(outcome.code, 0) << outcome.text;
+    const auto told = outcome.text.find("note: " + note);
+    ASSERT_NE(told, std::string::npos) << outcome.text;
+    EXPECT_EQ(outcome.text.find("note: " + note, told + 1), std::string::npos) << "told twice";
+    std::ifstream log(folder / "out" / "wash-3d" / "log.txt");
+    EXPECT_THAT(std::string(std::istreambuf_iterator<char>(log), {}), HasSubstr("note: " + note));
+  }
+}
