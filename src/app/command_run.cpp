@@ -107,9 +107,10 @@ int simulate(const RunArguments& arguments, RunOptions options) {
   const auto report = [&] {
     return !arguments.report || launched || report_run(options.directory);
   };
+  DirectoryLock lock;
   try {
     const Case whole = read_case(arguments.input.path, arguments.input.settings);
-    const DirectoryLock lock = prepare_once(arguments, whole, options);
+    lock = prepare_once(arguments, whole, options);
     if (rank() == 0 && !launched) print_notes(whole);
     const int code = run_case(whole, options);
     return rank() > 0 || report() ? code : without_report(code);

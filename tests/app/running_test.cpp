@@ -64,6 +64,11 @@ TEST_F(Running, KeepsOtherRunsOutOfItsDirectory) {
     EXPECT_EQ(refused.code, 2);
     EXPECT_THAT(refused.text, StartsWith("washtub: out: another run writes here: process " +
                                          std::to_string(child_) + " on "));
+    const Outcome under_mpirun =
+        run("run box.toml -o out --force", "mpirun --allow-run-as-root --oversubscribe -n 2 ");
+    EXPECT_NE(under_mpirun.code, 0);
+    EXPECT_THAT(under_mpirun.text, HasSubstr("washtub: out: another run writes here: process " +
+                                             std::to_string(child_) + " on "));
     EXPECT_EQ(run("report out").code, 0);
     kill(child_, SIGTERM);
     EXPECT_EQ(end(), 130);
