@@ -1,3 +1,4 @@
+#include "record/build_facts.hpp"
 #include "record/columns.hpp"
 #include "record/names.hpp"
 #include "record/summarise.hpp"
@@ -95,6 +96,18 @@ const std::vector<DeclaredEntry<RunSource>> run = {
     {{names::unconverged, pure_number, "steps whose pressure did not reach its bound"},
      [](const RunSource& s) -> Json { return s.end.extremes.unconverged; }},
     {{"frames", pure_number, "written"}, [](const RunSource& s) -> Json { return s.end.frames; }},
+    {{"commit", pure_number, "of the source; `-dirty` where it was changed since"},
+     [](const RunSource&) -> Json { return build_facts().commit; }},
+    {{"compiler", pure_number, "that built the program"},
+     [](const RunSource&) -> Json { return build_facts().compiler; }},
+    {{"built for", pure_number, "processor that the build was asked for"},
+     [](const RunSource&) -> Json { return build_facts().target; }},
+    {{"instruction set", pure_number, "widest vector instructions that the build may use"},
+     [](const RunSource&) -> Json { return build_facts().instructions; }},
+    {{"vector width", {"bit"}, "of these"},
+     [](const RunSource&) -> Json { return build_facts().vector_width; }},
+    {{"processor", pure_number, "that the run was on; results of a chaotic flow depend on it"},
+     [](const RunSource&) -> Json { return processor(); }},
 };
 
 const std::vector<DeclaredEntry<RunSource>> coupling = {

@@ -12,6 +12,7 @@
 #include "base/snapshot.hpp"
 #include "io/checkpoint.hpp"
 #include "io/file.hpp"
+#include "record/build_facts.hpp"
 #include "record/checkpoint_clock.hpp"
 #include "record/output.hpp"
 #include "record/progress.hpp"
@@ -65,6 +66,9 @@ class Run {
         clock_(whole.checkpoint),
         progress_(whole.time.end, parallel_.root()) {
     log_->info("{}", fmt::join(options.arguments, " "));
+    const BuildFacts& build = build_facts();
+    log_->info("commit {}, {} for {} ({}, {} bits wide), on {}", build.commit, build.compiler,
+               build.target, build.instructions, build.vector_width, processor());
     for (const std::string& note : whole.notes) log_->info("note: {}", note);
     const auto& ranks = simulation_.grid().ranks();
     log_->info("{} ranks ({}), {} pieces of cloth, {} nodes", parallel_.size(),

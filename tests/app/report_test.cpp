@@ -53,6 +53,9 @@ TEST_F(Report, EndsARun) {
   EXPECT_EQ(outcome.code, 0) << outcome.text;
   EXPECT_THAT(outcome.text, HasSubstr("out/report.html: "));
   EXPECT_THAT(text(folder / "out" / "log.txt"), HasSubstr("out/report.html: "));
+  EXPECT_THAT(text(folder / "out" / "log.txt"), HasSubstr("] commit "));
+  for (const char* fact : {"commit", "compiler", "vector width [bit]", "processor"})
+    EXPECT_THAT(text(folder / "out" / "summary.json"), HasSubstr('"' + std::string(fact) + "\":"));
   EXPECT_THAT(text(folder / "out" / "report.html"), HasSubstr("id=\"washtub-data\""));
   const Outcome again = run(short_run("--force --no-report"));
   EXPECT_EQ(again.code, 0) << again.text;
