@@ -7,6 +7,7 @@
 #include "case/case.hpp"
 #include "case/description.hpp"
 #include "case/groups.hpp"
+#include "case/resolution.hpp"
 #include "washer/build.hpp"
 
 namespace washtub {
@@ -59,6 +60,7 @@ int command_check(const CaseArguments& arguments) {
   print_memory(whole);
   print_groups(whole);
   for (const std::string& note : whole.notes) print_line("note", note);
+  for (const std::string& doubt : unresolved(whole)) print_line("warning", doubt);
   return 0;
 }
 

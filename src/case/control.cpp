@@ -36,7 +36,9 @@ Table<CouplingCase> coupling_table() {
            "largest distance between the points where cloth meets water, in shortest cell edges; "
            "1000 leaves only the nodes, as in the paper")
       .key("strain_limit", &CouplingCase::strain_limit, number(above(0)),
-           "stretch of an edge between nodes, |E|, at which the run stops");
+           "Green's strain E = (l^2/l_0^2 - 1)/2 of an edge between nodes, either sign, beyond "
+           "which "
+           "the run stops");
   return table;
 }
 

@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "case/velocity_field.hpp"
 #include "washer/build.hpp"
+#include "washer/overstrained.hpp"
 
 namespace washtub {
 namespace {
@@ -268,13 +269,10 @@ void Simulation<D>::watch() const {
     throw RunError(where + fmt::format("the pressure solve left |div u| h/U = {:.2g} after {} "
                                        "cycles; try a larger solver.max_cycles",
                                        last_.divergence, last_.pressure.cycles));
-  const double limit = case_.coupling.strain_limit;
-  if (last_.cloth.largest_strain > limit)
-    throw RunError(
-        where + fmt::format("the cloth is stretched by {:.0f} %, limit {:.0f} %; try a "
-                            "smaller time.step or time.cfl, a larger cloth.stretch_stiffness, or "
-                            "another coupling.strain_limit",
-                            100 * last_.cloth.largest_strain, 100 * limit));
+  if (last_.cloth.largest_strain <= case_.coupling.strain_limit) return;
+  const WorstEdge edge = worst_edge(cloth_);
+  if (std::abs(edge.strain) > case_.coupling.strain_limit)
+    throw RunError(where + overstrained(edge, case_));
 }
 
 template class Simulation<2>;
