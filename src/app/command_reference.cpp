@@ -7,7 +7,9 @@
 namespace washtub {
 
 int command_reference(const ReferenceArguments& arguments) {
-  fmt::print("{}", arguments.output ? output_reference() : input_reference());
+  fmt::print("{}", arguments.schema   ? case_schema()
+                   : arguments.output ? output_reference()
+                                      : input_reference());
   return 0;
 }
 

@@ -28,6 +28,7 @@ struct RunArguments {
 
 struct ReferenceArguments {
   bool output = false;  ///< of the results instead of the case file
+  bool schema = false;  ///< the JSON schema of case files, for editors
 };
 
 /// What `washtub modes` asks for.

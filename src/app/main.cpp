@@ -49,6 +49,8 @@ void add_reference(CLI::App& app, ReferenceArguments& arguments) {
       "reference", "print the reference of all keys of a case file, docs/input.md");
   command.add_flag("--output", arguments.output,
                    "that of all columns, fields and entries of the results, docs/output.md");
+  command.add_flag("--schema", arguments.schema, "the JSON schema of case files, for editors")
+      ->excludes("--output");
 }
 
 void add_modes(CLI::App& app, ModesArguments& arguments) {

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/nearest.hpp"
+#include "base/schema.hpp"
 
 namespace washtub {
 namespace {
@@ -88,17 +89,19 @@ Range between(double least, double most) { return {.least = least, .most = most}
 Format<double> quantity(const Measure& measure, const Range& range) {
   return {[=](const Node& node, int) { return read_quantity(node, measure, range); },
           [=](double value, int) { return quoted_quantity(value, measure); }, entry_type(measure),
-          range.text(measure.unit)};
+          range.text(measure.unit), json_schema::quantity(measure)};
 }
 
 Format<double> number(const Range& range) {
   return {[=](const Node& node, int) { return read_number(node, range); },
-          [](double value, int) { return number_text(value); }, "number", range.text()};
+          [](double value, int) { return number_text(value); }, "number", range.text(),
+          json_schema::number(range)};
 }
 
 Format<int> integer(const Range& range) {
   return {[=](const Node& node, int) { return read_integer(node, range); },
-          [](int value, int) { return std::to_string(value); }, "integer", range.text()};
+          [](int value, int) { return std::to_string(value); }, "integer", range.text(),
+          json_schema::integer(range)};
 }
 
 Format<std::uint64_t> seed() {
@@ -108,7 +111,8 @@ Format<std::uint64_t> seed() {
             check_range(node, static_cast<double>(*whole), at_least(0), "");
             return static_cast<std::uint64_t>(*whole);
           },
-          [](std::uint64_t value, int) { return std::to_string(value); }, "integer", ">= 0"};
+          [](std::uint64_t value, int) { return std::to_string(value); }, "integer", ">= 0",
+          json_schema::integer(at_least(0))};
 }
 
 Format<bool> boolean() {
@@ -118,7 +122,7 @@ Format<bool> boolean() {
             return *flag;
           },
           [](bool value, int) { return std::string(value ? "true" : "false"); }, "true or false",
-          ""};
+          "", json_schema::boolean()};
 }
 
 Format<std::string> text() {
@@ -127,7 +131,8 @@ Format<std::string> text() {
             if (!text) throw error_at(node, "expected a text between quotes");
             return *text;
           },
-          [](const std::string& value, int) { return quoted(value); }, "text", ""};
+          [](const std::string& value, int) { return quoted(value); }, "text", "",
+          json_schema::text()};
 }
 
 Format<std::string> label() {
@@ -144,6 +149,7 @@ Format<std::string> label() {
                      "control characters");
     return name;
   };
+  format.schema = json_schema::text("^[^,\\[\\]\"\\u0000-\\u001f\\u007f]+$");
   format.allowed = "no `,` `[` `]` `\"` nor control characters";
   return format;
 }
@@ -158,7 +164,7 @@ Format<int> name_of(const std::vector<std::string>& names) {
             throw error_at(node, "expected one of " + or_list(names) + hint);
           },
           [=](int position, int) { return quoted(names[static_cast<size_t>(position)]); }, "choice",
-          or_list(names)};
+          or_list(names), json_schema::names(names)};
 }
 
 }  // namespace washtub

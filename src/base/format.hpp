@@ -33,8 +33,9 @@ template <class V>
 struct Format {
   std::function<V(const Node&, int dimension)> read;
   std::function<std::string(const V&, int dimension)> write;
-  std::string type;     ///< for the input reference
-  std::string allowed;  ///< for the input reference; "" where anything goes
+  std::string type;           ///< for the input reference
+  std::string allowed;        ///< for the input reference; "" where anything goes
+  std::string schema = "{}";  ///< JSON schema of the value
 };
 
 Format<double> quantity(const Measure& measure, const Range& range = any());
@@ -89,7 +90,7 @@ Format<E> choice(const std::vector<std::pair<std::string, E>>& options) {
     while (options[static_cast<size_t>(position)].second != value) ++position;
     return by_name.write(position, dimension);
   };
-  return {read, write, by_name.type, by_name.allowed};
+  return {read, write, by_name.type, by_name.allowed, by_name.schema};
 }
 
 /// Any number of several names.
@@ -111,7 +112,7 @@ Format<std::vector<E>> choices(const std::vector<std::pair<std::string, E>>& opt
         if (options[i].second == value) positions.push_back(static_cast<int>(i));
     return by_name.write(positions, dimension);
   };
-  return {read, write, by_name.type, by_name.allowed};
+  return {read, write, by_name.type, by_name.allowed, by_name.schema};
 }
 
 }  // namespace washtub

@@ -3,6 +3,7 @@
 
 #include "base/expression.hpp"
 #include "base/format.hpp"
+#include "base/schema.hpp"
 
 namespace washtub {
 namespace {
@@ -40,7 +41,9 @@ Format<V> per_axis(const Format<Entry>& entry, int drop, const std::string& what
     return list_text(texts);
   };
   const char* per = drop == 0 ? "one per axis" : "one per direction of the sheet";
-  return {read, write, fmt::format("{}, {}", entry.type, per), entry.allowed};
+  const auto most = static_cast<size_t>(3 - drop);
+  return {read, write, fmt::format("{}, {}", entry.type, per), entry.allowed,
+          json_schema::list(entry.schema, most - 1, most)};
 }
 
 /// One entry per direction along a sheet; a single one stands for all of them.
@@ -55,6 +58,7 @@ Format<V> alone_for_all(const Format<Entry>& one, const std::string& what, V res
     return all;
   };
   format.type = one.type + ", or one per direction of the sheet";
+  format.schema = json_schema::either(one.schema, format.schema);
   return format;
 }
 
@@ -70,7 +74,7 @@ Format<std::vector<Entry>> list_of(const Format<Entry>& entry, const std::string
     for (const Entry& value : values) texts.push_back(entry.write(value, dimension));
     return list_text(texts);
   };
-  return {read, write, "list of " + entry.type, entry.allowed};
+  return {read, write, "list of " + entry.type, entry.allowed, json_schema::list(entry.schema)};
 }
 
 /// The text of a formula; a quantity becomes its SI value.
@@ -98,7 +102,7 @@ Format<std::string> formula(const Measure& measure, bool with_time) {
             return read_formula(node, measure, formula_variables(dimension, with_time));
           },
           [](const std::string& text, int) { return quoted(text); },
-          fmt::format("formula [{}]", measure.unit), ""};
+          fmt::format("formula [{}]", measure.unit), "", json_schema::text()};
 }
 
 }  // namespace
@@ -124,6 +128,7 @@ Format<std::vector<int>> names_of(const std::vector<std::string>& names) {
     if (node.is_list()) return list(node, dimension);
     return std::vector<int>{one.read(node, dimension)};
   };
+  format.schema = json_schema::either(name_of(names).schema, format.schema);
   return format;
 }
 
@@ -144,6 +149,7 @@ Format<std::array<int, 3>> counts(const Range& range) {
     return std::array<int, 3>{all, all, dimension == 3 ? all : 1};
   };
   format.type = "integer, or one per axis";
+  format.schema = json_schema::either(one.schema, format.schema);
   return format;
 }
 
@@ -168,7 +174,8 @@ Format<std::array<double, 2>> interval(const Measure& measure, const Range& rang
   auto write = [=](const std::array<double, 2>& value, int dimension) {
     return list_text({entry.write(value[0], dimension), entry.write(value[1], dimension)});
   };
-  return {read, write, "pair of " + entry.type, entry.allowed};
+  return {read, write, "pair of " + entry.type, entry.allowed,
+          json_schema::list(entry.schema, 2, 2)};
 }
 
 Format<std::vector<double>> quantities(const Measure& measure, const Range& range) {
@@ -186,6 +193,7 @@ Format<std::vector<Vec<2>>> points(const Measure& measure) {
     return pair.write({value.x(), value.y()}, dimension);
   };
   point.type = pair.type;
+  point.schema = pair.schema;
   return list_of(point, "pairs of " + entries_of(measure));
 }
 

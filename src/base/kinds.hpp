@@ -19,6 +19,8 @@ class Kinds {
  public:
   using Make = std::function<Made(const T&, int dimension)>;
 
+  /// @param name  what the input reference and the JSON schema call it
+  explicit Kinds(std::string name) : name_(std::move(name)) {}
   Kinds& kind(const std::string& name, Table<T> table, Make make) {
     kinds_.push_back({name, std::move(table), std::move(make)});
     return *this;
@@ -36,7 +38,8 @@ class Kinds {
       const char* gap = lines.empty() ? "" : ", ";
       return fmt::format("{{ kind = \"{}\"{}{} }}", value.kind, gap, fmt::join(lines, ", "));
     };
-    return {read, write, "table", fmt::format("`kind` one of {}", fmt::join(names(), ", "))};
+    return {read, write, "table", fmt::format("`kind` one of {}", fmt::join(names(), ", ")),
+            json_schema::reference(name_)};
   }
 
   /// The same where a table without `kind` changes `usual`, the default.
@@ -63,8 +66,14 @@ class Kinds {
     return value;
   }
 
-  void document(std::string& out, const std::string& path) const {
-    for (const Kind& kind : kinds_) kind.table.document(out, path + " " + kind.name);
+  void document(std::string& out) const {
+    for (const Kind& kind : kinds_) kind.table.document(out, name_ + " " + kind.name);
+  }
+  /// Name and JSON schema, as the references of format() need them.
+  std::pair<std::string, std::string> definition() const {
+    std::vector<std::string> tables;
+    for (const Kind& kind : kinds_) tables.push_back(kind.table.schema(kind.name));
+    return {name_, json_schema::one_of(tables)};
   }
 
  private:
@@ -130,6 +139,7 @@ class Kinds {
     return whole;
   }
 
+  std::string name_;
   std::vector<Kind> kinds_;
 };
 

@@ -1,18 +1,23 @@
 #pragma once
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 #include "base/format.hpp"
+#include "base/schema.hpp"
 
 namespace washtub {
 
-/// What the input reference prints of a key.
+/// What the input reference and the JSON schema say of a key.
 struct KeyText {
   std::string name, type, allowed, meaning, fallback;
+  std::string schema{};   ///< of the value
+  std::string value{};    ///< the default as TOML; "" where it depends on other keys
+  bool required = false;  ///< in every case
 };
 
 /// Appends one section of the input reference in Markdown.
@@ -48,7 +53,7 @@ class Table {
   Table& key(const std::string& name, Access access, const Format<V>& format,
              const std::string& meaning) {
     Key key;
-    key.text = {name, format.type, format.allowed, meaning, ""};
+    key.text = {name, format.type, format.allowed, meaning, "", format.schema};
     key.read = [=](T& target, const Node& node, int dimension) {
       std::invoke(access, target) = format.read(node, dimension);
     };
@@ -59,8 +64,13 @@ class Table {
     return *this;
   }
   using Test = std::function<bool(const T&, int dimension)>;
-  /// The last key must be given, always or where `missing` holds after reading.
-  Table& required(Test missing = [](const T&, int) { return true; }) {
+  /// The last key must be given, where it applies.
+  Table& required() {
+    keys_.back().text.required = true;
+    return required([](const T&, int) { return true; });
+  }
+  /// The last key must be given where `missing` holds after reading.
+  Table& required(Test missing) {
     keys_.back().missing = std::move(missing);
     return *this;
   }
@@ -95,6 +105,7 @@ class Table {
     };
     part.document = [=](std::string& out, const std::string& path) { inner.document(out, path); };
     part.names = inner.names();
+    part.schema = {name, inner.schema(), inner.needed()};
     parts_.push_back(std::move(part));
     return *this;
   }
@@ -119,12 +130,14 @@ class Table {
     };
     part.document = [=](std::string& out, const std::string& path) { inner.document(out, path); };
     part.names = inner.names();
+    part.schema = {name, json_schema::either(inner.schema(), json_schema::list(inner.schema()))};
     parts_.push_back(std::move(part));
     return *this;
   }
   /// The last table is read and written only where the file gives it or `present` holds.
   Table& optional(std::function<bool(const T&)> present, std::function<void(T&)> make) {
     Part& part = parts_.back();
+    part.schema.required = false;
     part.read = [read = part.read, make, name = part.name](T& target, const Node& node, int dim) {
       if (!node.find(name)) return;
       make(target);
@@ -170,6 +183,19 @@ class Table {
     for (const Part& part : parts_)
       if (part.document) part.document(out, join(path, part.name));
   }
+  /// JSON schema of the table; `kind` as in Kinds.
+  std::string schema(const std::string& kind = "") const {
+    std::vector<json_schema::Part> parts;
+    for (const Part& part : parts_)
+      if (!part.name.empty()) parts.push_back(part.schema);
+    return json_schema::table(meaning_, key_texts(), parts, kind);
+  }
+  /// Whether some key of the table or of one inside it must be given.
+  bool needed() const {
+    const auto texts = key_texts();
+    return std::any_of(texts.begin(), texts.end(), [](auto& key) { return key.required; }) ||
+           std::any_of(parts_.begin(), parts_.end(), [](auto& p) { return p.schema.required; });
+  }
   /// Keys with default and where they apply, as the reference prints them.
   std::vector<KeyText> key_texts() const {
     std::vector<KeyText> texts;
@@ -199,6 +225,7 @@ class Table {
     std::function<void(std::string&, const T&, const std::string&, int)> write;
     std::function<void(std::string&, const std::string&)> document;
     std::vector<std::string> names;
+    json_schema::Part schema;
   };
 
   static std::string join(const std::string& path, const std::string& name) {
@@ -216,8 +243,12 @@ class Table {
     KeyText text = key.text;
     const T fresh{};
     const bool unset = key.unset && key.unset(fresh, 3);
+    text.required = text.required && !key.applies;
     if (text.fallback.empty() && key.missing) text.fallback = "required";
-    if (text.fallback.empty() && !unset) text.fallback = "`" + key.write(fresh, 3) + "`";
+    if (text.fallback.empty() && !unset) {
+      text.value = key.write(fresh, 3);
+      text.fallback = "`" + text.value + "`";
+    }
     if (text.fallback.empty()) text.fallback = "none";
     if (!key.where.empty()) text.meaning += " (only " + key.where + ")";
     return text;

@@ -15,7 +15,8 @@ Format<int> dimension_format() {
             if (value != 2 && value != 3) throw error_at(node, "allowed: 2 or 3");
             return value;
           },
-          [](int value, int) { return std::to_string(value); }, "integer", "2 or 3"};
+          [](int value, int) { return std::to_string(value); }, "integer", "2 or 3",
+          json_schema::integer(between(2, 3))};
 }
 
 /// What the washer fills in before the tables below it are read over it.
@@ -151,11 +152,23 @@ Case read_case(const std::string& path, const std::vector<std::string>& settings
 }
 
 std::string input_reference() {
-  std::string out = "# Input reference\n\nMade by `washtub reference`; do not edit.\n";
+  std::string out =
+      "# Input reference\n\nMade by `washtub reference`; do not edit.\n\n"
+      "The same as a JSON schema, by which editors complete and check case files: write it with "
+      "`washtub reference --schema > washtub.schema.json`, and let a case begin with the line "
+      "`#:schema ./washtub.schema.json`. Taplo and Even Better TOML (an extension of Visual Studio "
+      "Code) follow that; `taplo lint case.toml` checks without an editor. What a schema cannot "
+      "say, "
+      "such as a bound of a quantity with its unit, is left to `washtub check`.\n";
   case_table().document(out, "");
-  drive_kinds().document(out, "drive");
-  shape_kinds().document(out, "shape");
+  drive_kinds().document(out);
+  shape_kinds().document(out);
   return out;
+}
+
+std::string case_schema() {
+  return json_schema::document(case_table().schema(),
+                               {drive_kinds().definition(), shape_kinds().definition()});
 }
 
 }  // namespace washtub

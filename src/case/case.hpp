@@ -177,4 +177,7 @@ Case read_case(const std::string& path, const std::vector<std::string>& settings
 /// The input reference, one line per key, in Markdown, from the same declarations.
 std::string input_reference();
 
+/// JSON schema of a case file, from the same declarations.
+std::string case_schema();
+
 }  // namespace washtub

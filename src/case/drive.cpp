@@ -57,7 +57,7 @@ Table<DriveSpec> stroke_table_table() {
 const Kinds<DriveSpec, Drive>& drive_kinds() {
   using Spec = const DriveSpec&;
   static const auto kinds =
-      Kinds<DriveSpec, Drive>()
+      Kinds<DriveSpec, Drive>("drive")
           .kind("rest", rest_table(), [](Spec, int) { return at_rest(); })
           .kind("constant", constant_table(),
                 [](Spec spec, int) { return constant_speed(spec.speed); })

@@ -115,7 +115,7 @@ Format<std::vector<Spec>> parts_format() {
       text += (text.empty() ? "" : ", ") + shape_kinds().format().write(part, dimension);
     return "[" + text + "]";
   };
-  return {read, write, "list of shapes", ""};
+  return {read, write, "list of shapes", "", json_schema::list(json_schema::reference("shape"), 1)};
 }
 
 Table<Spec> combination_table(const std::string& meaning) {
@@ -183,7 +183,7 @@ auto combined(Make make) {
 const Kinds<ShapeSpec, Shape>& shape_kinds() {
   using Parts = const std::vector<Shape>&;
   static const auto kinds =
-      Kinds<Spec, Shape>()
+      Kinds<Spec, Shape>("shape")
           .kind("sphere", sphere_table(),
                 simple([](const Spec& s) { return sphere(s.centre, s.radius); }))
           .kind("cylinder", cylinder_table(),
