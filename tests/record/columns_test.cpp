@@ -36,7 +36,7 @@ Sample sample() {
   s.solids[1].rms_torque = 4;
   s.solids[0].force = {1, 2, 3};
   s.pieces.resize(3);
-  for (double p = 0; PieceSample & piece : s.pieces) piece.centre = {++p, -p};
+  for (int p = 0; p < 3; ++p) s.pieces[static_cast<std::size_t>(p)].centre = {p + 1, -(p + 1)};
   s.probes = {{4, 5, 6}};
   s.enclosed_area = 8;
   s.error.rms = 9;
