@@ -114,7 +114,7 @@ TEST(Summary, RmsTorqueIsOverTheSteps) {
 /// The piece goes round at 7 rad/s, from one row at the begin of the span to one at its end.
 TEST(Summary, PathsAreThoseOfTheTracks) {
   const auto loop = Recorded(4).summary["cloth"]["loop"];
-  EXPECT_NEAR(loop["mean turns"].get<double>(), 7 * 2 / (2 * M_PI), 0.02);
+  EXPECT_NEAR(loop["mean turns"].get<double>(), 7 * 2 / (2 * M_PI), 0.03);
 }
 
 TEST(Summary, HasEveryDeclaredEntry) {
