@@ -97,7 +97,8 @@ double Barrier<D>::for_near(const Vec<D>& x, Visit&& visit) const {
   return clear;
 }
 
-/// Moves x out of the forbidden layer along the normals; returns whether it had to.
+/// Moves x out of the forbidden layer along the normals; returns whether it had to. `depth` grows
+/// to how deep x was.
 template <int D>
 bool Barrier<D>::project(Vec<D>& x, int node, int& solid, double& depth) const {
   bool moved = false;
@@ -108,9 +109,10 @@ bool Barrier<D>::project(Vec<D>& x, int node, int& solid, double& depth) const {
       const double excess =
           s.psi + std::min(margin(s.normal), kept_[static_cast<std::size_t>(node)]);
       if (excess > worst) worst = excess, hit = s;
+      if (pass == 0) depth = std::max(depth, s.psi);
     });
     if (worst <= 1e-12 * widest_) break;
-    if (pass == 0) solid = hit.solid, depth = hit.psi;
+    if (pass == 0) solid = hit.solid;
     x -= worst * hit.normal;
     moved = true;
   }
@@ -127,13 +129,30 @@ template <int D>
 const std::vector<typename Barrier<D>::Contact>& Barrier<D>::find(const std::vector<Vec<D>>& X,
                                                                   double dt) {
   contacts_.clear();
+  double depth = 0;
   for (std::size_t i = 0; i < X.size(); ++i) {
     if (alone_[i] || clearance_[i] > travel(X[i] - accepted_[i], dt)) continue;
     Contact c{static_cast<int>(i), no_solid, X[i]};
-    double depth = 0;
     if (project(c.to, c.node, c.solid, depth)) contacts_.push_back(c);
   }
+  if (!first_depth_) first_depth_ = depth;
   return contacts_;
+}
+
+/// Moves a node that may be near a surface to where it is allowed, and notes how near it is then.
+template <int D>
+void Barrier<D>::find_place(Vec<D>& x, std::size_t node, Report& report) {
+  int solid = no_solid;
+  double nearest = 1e30;
+  report.touched += project(x, static_cast<int>(node), solid, report.depth);
+  bool near = false;
+  const double clear = for_near(x, [&](const Surface& s) {
+    near = true;
+    nearest = std::min(nearest, -s.psi);
+  });
+  report.penetration = std::max(report.penetration, -nearest);
+  clearance_[node] = near ? 0 : clear;
+  kept_[node] = std::max(nearest, least * grid_.mesh().h.minCoeff());
 }
 
 template <int D>
@@ -142,21 +161,11 @@ typename Barrier<D>::Report Barrier<D>::accept(std::vector<Vec<D>>& X, double dt
   for (std::size_t i = 0; i < X.size(); ++i) {
     if (alone_[i]) continue;
     clearance_[i] -= travel(X[i] - accepted_[i], dt);
-    if (clearance_[i] <= 0) {
-      int solid = no_solid;
-      double depth = 0, nearest = 1e30;
-      report.touched += project(X[i], static_cast<int>(i), solid, depth);
-      report.penetration = std::max(report.penetration, depth);
-      bool near = false;
-      const double clear = for_near(X[i], [&](const Surface& s) {
-        near = true;
-        nearest = std::min(nearest, -s.psi);
-      });
-      clearance_[i] = near ? 0 : clear;
-      kept_[i] = std::max(nearest, least * grid_.mesh().h.minCoeff());
-    }
+    if (clearance_[i] <= 0) find_place(X[i], i, report);
     accepted_[i] = X[i];
   }
+  report.depth = first_depth_.value_or(report.depth);
+  first_depth_.reset();
   return report;
 }
 

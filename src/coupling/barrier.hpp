@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "cloth/cloth.hpp"
@@ -36,9 +37,12 @@ class Barrier {
 
   struct Report {
     int touched = 0;         ///< nodes too near
-    double penetration = 0;  ///< deepest a node would have been inside a solid [m]
+    double depth = 0;        ///< deepest a node would have gone, had nothing held it off [m]
+    double penetration = 0;  ///< deepest a node is inside a solid or beyond a side after all [m]
   };
-  /// Takes X as the new state after a step dt. On return no node of X is nearer than allowed.
+  /// Takes X as the new state after a step dt. On return no node of X is nearer than allowed. The
+  /// depth is that of the first find() since the last call, before any node was held; without one,
+  /// that of X as given.
   Report accept(std::vector<Vec<D>>& X, double dt);
 
  private:
@@ -55,6 +59,7 @@ class Barrier {
   Vec<D> inside(Vec<D> x) const;
   double margin(const Vec<D>& normal) const;
   bool project(Vec<D>& x, int node, int& solid, double& depth) const;
+  void find_place(Vec<D>& x, std::size_t node, Report& report);
   double travel(const Vec<D>& moved, double dt) const;
 
   const Grid<D>& grid_;
@@ -66,6 +71,7 @@ class Barrier {
   std::vector<char> alone_;        ///< nodes left alone
   std::vector<Vec<D>> accepted_;
   std::vector<Contact> contacts_;
+  std::optional<double> first_depth_;  ///< of this step's first find() [m]
 };
 
 }  // namespace washtub

@@ -40,6 +40,7 @@ TEST(Barrier, LeavesNodesAloneThatKeepTheirDistance) {
   const auto report = barrier.accept(X, 0.01);
   EXPECT_EQ(X, start);
   EXPECT_EQ(report.touched, 0);
+  EXPECT_EQ(report.depth, 0);
   EXPECT_EQ(report.penetration, 0);
 }
 
@@ -55,13 +56,41 @@ TEST(Barrier, PutsNodesHalfACellBeforeTheSurface) {
   EXPECT_EQ(contacts[1].solid, Barrier<2>::no_solid);
   const auto report = barrier.accept(X, 0.1);
   EXPECT_EQ(report.touched, 3);
-  EXPECT_NEAR(report.penetration, 0.2, 1e-12);  // of the floor; the disc: 0.04
+  EXPECT_NEAR(report.depth, 0.2, 1e-12);  // of the floor; the disc: 0.04
+  EXPECT_EQ(report.penetration, 0);
   EXPECT_NEAR(psi(X[0]), -0.5 * h, 1e-9);
   EXPECT_NEAR((X[0] - Vec<2>(0.5, 0.5)).normalized().dot(Vec<2>(0.03, 0.16).normalized()), 1, 1e-6);
   EXPECT_LT((X[0] - contacts[0].to).norm(), 1e-12);
   EXPECT_LT((X[1] - Vec<2>(0.15, 0.5 * h)).norm(), 1e-12);
   EXPECT_LT((X[2] - Vec<2>(0.12, 1 - 0.5 * h)).norm(), 1e-12);
   EXPECT_EQ(X[3], Vec<2>(0.3, 0.85));
+}
+
+/// Nodes that are held where find() says were deep before, and are not inside any more.
+TEST(Barrier, ReportsTheDepthBeforeNodesWereHeld) {
+  const Room room;
+  std::vector<Vec<2>> X = {{0.5, 0.8}, {0.1, 0.1}};
+  Barrier<2> barrier(room.grid, room.mapping, dots(X));
+  X = {{0.5, 0.67}, {0.15, 0.01}};
+  for (int round = 0; round < 3; ++round)
+    for (const auto& contact : barrier.find(X, 0.1)) X[contact.node] = contact.to;
+  const auto report = barrier.accept(X, 0.1);
+  EXPECT_NEAR(report.depth, 0.03, 1e-9);  // of the disc; the other node stays above the floor
+  EXPECT_EQ(report.penetration, 0);
+  EXPECT_EQ(barrier.accept(X, 0.1).depth, 0);  // each step has its own
+}
+
+/// A node between a solid and a side that leave no room for it stays inside one of them.
+TEST(Barrier, ReportsWhatIsLeftInside) {
+  Grid<2> grid(Room::mesh(), Parallel(), {1, 1});
+  const Solid lid{"lid", box({-inf, 0.02, -inf}, {inf, 0.2, inf}), Vec<3>::Zero(), at_rest()};
+  DomainMapping<2> mapping(grid, {lid}, 0);
+  std::vector<Vec<2>> X = {{0.5, 0.5}};
+  Barrier<2> barrier(grid, mapping, dots(X));
+  X[0][1] = 0.015;
+  const auto report = barrier.accept(X, 0.1);
+  EXPECT_EQ(report.depth, 0);
+  EXPECT_GT(report.penetration, 0);
 }
 
 TEST(Barrier, LetsNodesThatStartNearStayButNotGoDeeper) {

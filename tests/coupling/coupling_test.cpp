@@ -212,6 +212,19 @@ TEST(Coupling, IsTheSameOnAnyNumberOfRanks) {
     EXPECT_LT((all.cloth.position[i] - one.cloth.position[i]).norm(), 1e-9);
 }
 
+/// A step so long that the fin runs over the thread: nodes would be inside it, and are not.
+TEST(Coupling, DepthIsThatWithoutTheHold) {
+  for (const Scheme scheme : {Scheme::implicit, Scheme::explicit_euler}) {
+    FinTank tank(scheme);
+    const auto report = tank.step(0.1);
+    EXPECT_GT(report.barrier.touched, 0);
+    EXPECT_GT(report.barrier.depth, 1e-4);
+    EXPECT_LT(report.barrier.depth, 0.1 * 2 * 0.35);
+    EXPECT_EQ(report.barrier.penetration, 0);
+    EXPECT_LE(tank.deepest(), -0.49 / 32);
+  }
+}
+
 TEST_P(AnyScheme, FinPushesClothBeforeItself) {
   FinTank tank(GetParam());
   const double dt = GetParam() == Scheme::implicit ? 4e-3 : 4e-4;
