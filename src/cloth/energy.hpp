@@ -1,0 +1,12 @@
+#pragma once
+#include "cloth/cloth.hpp"
+
+namespace washtub {
+
+/// What the cloth holds of energy [J], per metre in 2-D: elastic, and of the mass beyond that of
+/// the displaced water the kinetic energy and that of its height under `gravity` [m/s^2], zero at
+/// the origin. The rest of its inertia is the water's.
+template <int D>
+double energy(const Cloth<D>& cloth, const Vec<D>& gravity);
+
+}  // namespace washtub
