@@ -9,6 +9,7 @@
 #include "case/groups.hpp"
 #include "case/resolution.hpp"
 #include "washer/build.hpp"
+#include "washer/resolution.hpp"
 
 namespace washtub {
 namespace {
@@ -61,6 +62,7 @@ int command_check(const CaseArguments& arguments) {
   print_groups(whole);
   for (const std::string& note : whole.notes) print_line("note", note);
   for (const std::string& doubt : unresolved(whole)) print_line("warning", doubt);
+  if (const auto doubt = foresee_unresolved(whole)) print_line("warning", *doubt);
   return 0;
 }
 

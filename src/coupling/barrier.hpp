@@ -21,6 +21,7 @@ class Barrier {
     archive.same_length("clearance", clearance_);
     archive.same_length("alone", alone_);
     archive.same_length("accepted", accepted_);
+    if (archive.reading()) first_depth_.reset();
   }
 
   static constexpr int no_solid = -1;

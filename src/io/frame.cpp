@@ -37,10 +37,11 @@ FrameFields fields_of(const Frame& frame) {
   return fields;
 }
 
-std::vector<FrameNumber> angles(const std::vector<SolidAngle>& solids) {
+std::vector<FrameNumber> numbers_of(const Frame& frame) {
   std::vector<FrameNumber> numbers;
-  for (const SolidAngle& s : solids)
+  for (const SolidAngle& s : frame.solids)
     numbers.push_back({fmt::format("angle of {} [rad]", s.name), s.angle});
+  numbers.insert(numbers.end(), frame.numbers.begin(), frame.numbers.end());
   return numbers;
 }
 
@@ -101,7 +102,7 @@ void FrameWriter::write(const Frame& frame) {
                                     : std::string());
   Hdf5File file(target + ".part", parallel_.comm());
   file.attribute("time [s]", frame.time);
-  for (const FrameNumber& angle : angles(frame.solids)) file.attribute(angle.name, angle.value);
+  for (const FrameNumber& number : numbers_of(frame)) file.attribute(number.name, number.value);
   write_fluid(file, frame.fluid);
   const ClothTopology cloth = write_cloth(file, mesh, frame.cloth_fields, parallel_);
   finish(file.close(), frame, cloth);
@@ -111,8 +112,7 @@ void FrameWriter::write(const Frame& frame) {
 void FrameWriter::publish(const Frame& frame, const ClothTopology& cloth) {
   const std::string target = path(frames_);
   publish_file(target);
-  index_.add(frame.time, relative_path(frames_), grid_, cloth, fields_of(frame),
-             angles(frame.solids));
+  index_.add(frame.time, relative_path(frames_), grid_, cloth, fields_of(frame), numbers_of(frame));
   try {
     replace_file(directory_ + "/frames.xdmf", index_.text());
     if (frames_ == 0) replace_file(directory_ + "/paraview.xdmf2", paraview_index());

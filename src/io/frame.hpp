@@ -37,12 +37,13 @@ struct Frame {
   std::vector<FieldDescription> cloth_fields;  ///< scalars, the same on all ranks
   std::vector<ClothPiece> cloth;               ///< all pieces, looked at on rank 0 only
   std::vector<SolidAngle> solids;              ///< the same on all ranks
+  std::vector<FrameNumber> numbers = {};       ///< further ones of the whole frame, likewise
 };
 
 /// Writes the frames of a run, each to its own file frames/frame_000000.h5 under the output
 /// directory, and keeps frames.xdmf up to date, so that ParaView can open it, by way of
 /// paraview.xdmf2, at any time:
-///   attributes of /   "time [s]", "angle of NAME [rad]"
+///   attributes of /   "time [s]", "angle of NAME [rad]", and `numbers`
 ///   /fluid/FIELD (nz, ny, nx), vectors (nz, ny, nx, 3): 32-bit
 ///   /cloth/positions (nodes, 3) [m], FIELD (nodes): all pieces one after the other; cells
 ///     (cells, 4 or 2) node numbers; piece (cells)

@@ -54,6 +54,7 @@ void add_cloth(Columns& columns, const Case& whole) {
 std::vector<RecordColumn> history_columns(const Case& whole) {
   Columns columns(whole.dimension);
   columns.add(columns::run, itself);
+  if (is_closed(whole)) columns.add(columns::energy, itself);
   for (std::size_t i = 0; i < whole.solids.size(); ++i)
     columns.add(
         columns::solid, [i](const Sample& s) { return s.solids[i]; }, whole.solids[i].name,
@@ -107,7 +108,8 @@ void find_owned(const std::vector<DeclaredColumn<Source>>& declared, const std::
 }  // namespace
 
 std::optional<KnownColumn> known_column(const std::string& name) {
-  for (const auto* declared : {&columns::run, &columns::error, &columns::cloth, &columns::rings})
+  for (const auto* declared :
+       {&columns::run, &columns::energy, &columns::error, &columns::cloth, &columns::rings})
     for (const auto& column : *declared)
       if (name == column.about.name) return KnownColumn{"", column.about, column.plot};
   std::optional<KnownColumn> best;

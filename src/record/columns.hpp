@@ -22,7 +22,7 @@ struct DeclaredColumn {
 
 /// The declarations of history.csv and tracks.csv, in the order of the columns.
 namespace columns {
-extern const std::vector<DeclaredColumn<Sample>> run, error, cloth, rings;
+extern const std::vector<DeclaredColumn<Sample>> run, energy, error, cloth, rings;
 extern const std::vector<DeclaredColumn<SolidSample>> solid;
 extern const std::vector<DeclaredColumn<Vec<3>>> probe;
 extern const std::vector<DeclaredColumn<PieceSample>> piece;

@@ -81,6 +81,27 @@ const std::vector<DeclaredColumn<Sample>> run = {
       .title = "Kinetic energy",
       .axis = "kinetic energy",
       .curve = "kinetic energy"}},
+    {{"grid scale", pure_number,
+      "share of the water's kinetic energy that alternates from cell to cell, along the axis where "
+      "it is largest; above 0.15 the grid does not resolve the flow, white noise has 0.375"},
+     [](const Sample& s) { return s.quality.resolution.grid_scale; },
+     numerics("Energy at the grid's scale", "grid scale")},
+    {{"speed over driving speed", pure_number,
+      "the largest speed of the water over that of the fastest surface, side or inflow; 0 where "
+      "there is none"},
+     [](const Sample& s) { return s.quality.resolution.speed_ratio(); },
+     numerics("Speed over driving speed", "speed over driving speed")},
+};
+
+const std::vector<DeclaredColumn<Sample>> energy = {
+    {{"dissipation", watt, "rate at which viscosity turns the water's energy into heat"},
+     [](const Sample& s) { return s.quality.dissipation; },
+     {.fold = "Water", .title = "Dissipation", .axis = "power", .curve = "dissipation"}},
+    {{"energy residual", watt,
+      "work of drives and sides less heat and gain of energy since the row before: what the scheme "
+      "takes out of the motion"},
+     [](const Sample& s) { return s.quality.residual; },
+     numerics("Energy residual", "energy residual")},
 };
 
 const std::vector<DeclaredColumn<SolidSample>> solid = {

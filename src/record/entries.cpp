@@ -123,11 +123,66 @@ const std::vector<DeclaredEntry<RunSource>> coupling = {
      [](const RunSource& s) -> Json { return per_step(s.end.extremes.sum_of_slip_shares, s); }},
     {{names::largest_slip_share, pure_number, "of all steps"},
      [](const RunSource& s) -> Json { return s.end.extremes.slip_share; }},
+    {{names::depth, metre, "in a step, had nothing held it off"},
+     [](const RunSource& s) -> Json { return s.end.extremes.depth; }},
     {{names::penetration, metre, "that a node of the cloth had at the end of a step"},
      [](const RunSource& s) -> Json { return s.end.extremes.penetration; }},
     {{"nodes held off solids per step", pure_number, "of the cloth"},
      [](const RunSource& s) -> Json {
        return per_step(static_cast<double>(s.end.extremes.touched), s);
+     }},
+};
+
+namespace {
+
+/// Null where water passes the sides, and no balance of energy is kept.
+Json of_balance(const RunSource& s, double value) {
+  return is_closed(s.whole) ? Json(value) : Json();
+}
+
+/// Null where there is no cloth.
+Json of_crossings(const RunSource& s, double value) {
+  return s.whole.cloth.empty() ? Json() : Json(value);
+}
+
+}  // namespace
+
+const std::vector<DeclaredEntry<RunSource>> quality = {
+    {{"largest grid scale", pure_number,
+      "share of the water's kinetic energy that alternates from cell to cell, along the axis where "
+      "it is largest; above 0.15 the grid does not resolve the flow, white noise has 0.375"},
+     [](const RunSource& s) -> Json { return s.end.quality.worst.grid_scale; }},
+    {{"largest speed over driving speed", pure_number,
+      "of the water over the fastest surface, side or inflow; above 3 the grid does not resolve "
+      "the "
+      "flow"},
+     [](const RunSource& s) -> Json { return s.end.quality.worst.speed_ratio(); }},
+    {{"driving speed", metre_per_second, "of the fastest surface, side or inflow"},
+     [](const RunSource& s) -> Json { return s.end.quality.worst.driving_speed; }},
+    {{"work", joule,
+      "of drives and moving sides on water and cloth, where no water passes the sides"},
+     [](const RunSource& s) { return of_balance(s, s.end.quality.balance.work); }},
+    {{"gain of energy", joule, "kinetic of the water; elastic, kinetic and of height of the cloth"},
+     [](const RunSource& s) { return of_balance(s, s.end.quality.balance.gain); }},
+    {{"heat", joule, "made by viscosity"},
+     [](const RunSource& s) { return of_balance(s, s.end.quality.balance.heat); }},
+    {{"energy residual", joule, "work less gain and heat: what the scheme takes out of the motion"},
+     [](const RunSource& s) { return of_balance(s, s.end.quality.balance.rest()); }},
+    {{"energy residual over work or heat", pure_number, "whichever is larger"},
+     [](const RunSource& s) { return of_balance(s, s.end.quality.balance.share()); }},
+    {{"edges of cloth", pure_number, "between neighbouring nodes"},
+     [](const RunSource& s) {
+       return of_crossings(s, static_cast<double>(s.end.quality.crossings.edges));
+     }},
+    {{"most edges through other pieces", pure_number, "in a frame"},
+     [](const RunSource& s) {
+       return of_crossings(s, static_cast<double>(s.end.quality.most_crossings));
+     }},
+    {{"share of edges through other pieces", pure_number, "in the last frame"},
+     [](const RunSource& s) { return of_crossings(s, s.end.quality.crossings.share()); }},
+    {{"edges through their own piece", pure_number, "in the last frame"},
+     [](const RunSource& s) {
+       return of_crossings(s, static_cast<double>(s.end.quality.crossings.own));
      }},
 };
 

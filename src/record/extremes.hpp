@@ -5,7 +5,8 @@ namespace washtub {
 
 /// Largest values and sums over all steps of a run.
 struct Extremes {
-  double divergence = 0, slip = 0, penetration = 0, strain = 0, courant = 0;
+  double divergence = 0, slip = 0, strain = 0, courant = 0;
+  double depth = 0, penetration = 0;              ///< of nodes in solids, if not held, and held [m]
   double slip_share = 0, sum_of_slip_shares = 0;  ///< rms slip over the largest speed then, or
                                                   ///< over the least one that counts
   double speed = 0;                               ///< [m/s]
@@ -15,6 +16,7 @@ struct Extremes {
   void state(Archive& archive) {
     archive.value("divergence", divergence);
     archive.value("slip", slip);
+    archive.value("depth", depth);
     archive.value("penetration", penetration);
     archive.value("strain", strain);
     archive.value("courant", courant);

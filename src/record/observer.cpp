@@ -31,7 +31,8 @@ Observer<D>::Observer(Simulation<D>& simulation)
       axis_(turning_axis(simulation.mapping().solids())),
       statistics_(static_cast<std::size_t>(simulation.cloth().pieces()),
                   window(simulation.definition()), simulation.definition().scale.period, axis_),
-      sampled_(simulation.time()) {
+      sampled_(simulation.time()),
+      self_watch_(simulation) {
   if (simulation.definition().exact) exact_.emplace(*simulation.definition().exact);
   const auto n = simulation.cloth().position.size();
   for (auto* v : {&membrane_, &bending_, &total_}) v->resize(n);
@@ -50,6 +51,13 @@ StepSample Observer<D>::observe_step() const {
           last.cloth.largest_strain,
           last.cloth.slip,
           static_cast<double>(last.cloth.iterations)};
+}
+
+template <int D>
+QualitySample Observer<D>::observe_quality(const std::vector<SolidSample>& solids) {
+  double power = 0;
+  for (const SolidSample& solid : solids) power += solid.power;
+  return self_watch_.observe(power);
 }
 
 template <int D>
@@ -166,6 +174,7 @@ Sample Observer<D>::observe() {
   sample.step = observe_step();
   for (std::size_t s = 0; s < simulation_.mapping().solids().size(); ++s)
     sample.solids.push_back(observe_solid(s, sample.time));
+  sample.quality = observe_quality(sample.solids);
   if (simulation_.cloth().pieces() > 0) observe_cloth(sample, {sampled_, sample.time});
   observe_probes(sample);
   observe_rings(sample);
@@ -194,6 +203,7 @@ void Observer<D>::watch(const typename Simulation<D>::Step& step) {
   const double share = step.cloth.slip / std::max(step.speed, least_speed());
   e.slip_share = std::max(e.slip_share, share);
   e.sum_of_slip_shares += share;
+  e.depth = std::max(e.depth, step.cloth.barrier.depth);
   e.penetration = std::max(e.penetration, step.cloth.barrier.penetration);
   e.strain = std::max(e.strain, step.cloth.largest_strain);
   e.touched += step.cloth.barrier.touched;
@@ -209,6 +219,7 @@ void Observer<D>::state(Archive& archive) {
   archive.value("cloth", statistics_);
   archive.value("extremes", extremes_);
   archive.value("sampled", sampled_);
+  archive.value("self-watch", self_watch_);
 }
 
 template class Observer<2>;

@@ -6,6 +6,7 @@
 #include "measure/cloth_statistics.hpp"
 #include "record/exact.hpp"
 #include "record/extremes.hpp"
+#include "record/self_watch.hpp"
 #include "washer/simulation.hpp"
 
 namespace washtub {
@@ -29,10 +30,13 @@ class Observer {
   /// To be called after every step.
   void watch(const typename Simulation<D>::Step& step);
   const Extremes& extremes() const { return extremes_; }
+  SelfWatch<D>& self_watch() { return self_watch_; }
+  const Quality& quality() const { return self_watch_.quality(); }
 
  private:
   double least_speed() const;
   StepSample observe_step() const;
+  QualitySample observe_quality(const std::vector<SolidSample>& solids);
   SolidSample observe_solid(std::size_t solid, double time);
   void observe_cloth(Sample& s, const Interval& since);
   PieceSample observe_piece(const ClothGroup<D>& group, int piece);
@@ -48,6 +52,7 @@ class Observer {
   std::vector<NodeStress> node_stress_;
   std::vector<double> membrane_, bending_, total_;
   Extremes extremes_;
+  SelfWatch<D> self_watch_;
 };
 
 }  // namespace washtub

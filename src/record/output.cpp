@@ -150,6 +150,11 @@ void Output<D>::add_frame() {
   Frame frame{simulation_.time(), water(), {}, cloth(), {}};
   check_finite(frame.fluid);
   for (const auto& field : cloth_fields<D>()) frame.cloth_fields.push_back(field.field);
+  const Crossings& crossings = observer_.quality().crossings;
+  if (crossings.edges > 0)
+    frame.numbers = {{"edges of cloth", static_cast<double>(crossings.edges)},
+                     {"edges through other pieces", static_cast<double>(crossings.others)},
+                     {"edges through their own piece", static_cast<double>(crossings.own)}};
   for (const auto& s : simulation_.mapping().solids())
     frame.solids.push_back({s.name, s.drive.angle(frame.time)});
   frames_.write(frame);
@@ -160,8 +165,8 @@ void Output<D>::write_summary(const std::string& outcome, double wall_time) cons
   const Parallel& parallel = simulation_.grid().parallel();
   if (!parallel.root()) return;
   const auto& last = simulation_.last();
-  const RunEnd end{outcome,   last.time,        last.number,         parallel.size(),
-                   wall_time, frames_.frames(), observer_.extremes()};
+  const RunEnd end{outcome,   last.time,        last.number,          parallel.size(),
+                   wall_time, frames_.frames(), observer_.extremes(), observer_.quality()};
   const CsvTable history = written(directory_ + "/history.csv");
   const auto tracks = tracks_ ? std::optional(written(directory_ + "/tracks.csv")) : std::nullopt;
   washtub::write_summary(directory_ + "/summary.json",

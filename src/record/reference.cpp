@@ -66,6 +66,7 @@ void add_history(Page& page) {
                "One row every `output.every`: a header \"time [s],step,...\" with the units, then "
                "numbers, the time with all its digits, the others with nine.");
   page.table("", columns::run);
+  page.table("Where no water passes the sides:", columns::energy);
   page.table("Of each solid, after its name:", columns::solid, "SOLID ");
   page.table("With `[exact]`; pure numbers where it is relative:", columns::error);
   page.table("With cloth:", columns::cloth);
@@ -91,7 +92,9 @@ void add_frames(Page& page) {
       "frames/frame_000000.h5",
       "One HDF5 file every `output.frames`; `frames.xdmf` lists them for ParaView, which opens "
       "`paraview.xdmf2` ([paraview.md](paraview.md)). Attributes of the file are `time [s]` and "
-      "`angle of SOLID [rad]`; each field has its unit, label and meaning as attributes. Of the "
+      "`angle of SOLID [rad]`, with cloth `edges of cloth`, `edges through other pieces` and "
+      "`edges "
+      "through their own piece`; each field has its unit, label and meaning as attributes. Of the "
       "water, per cell, x fastest, in 32 bits:");
   page.text += field_rows(water_field_list(), "fluid");
   page.text +=
@@ -110,6 +113,10 @@ void add_summary(Page& page) {
   page.table("", entries::top);
   page.table("`run`:", entries::run);
   page.table("`coupling`, with cloth, over all steps of the run:", entries::coupling);
+  page.table(
+      "`quality`, over all rows of the history and all frames; beside it stands `warnings`, "
+      "a list of sentences on what is not as it should be:",
+      entries::quality);
   page.table("`scales`, where the case has a speed:", entries::scales);
   page.table(
       "`solids`, one table for each with its `name`. Torques also over tau_o (`rms torque / "

@@ -191,7 +191,11 @@ class Run {
   /// A row, and maybe a frame, of the state now.
   void write(bool frame) {
     output_.add_row(observer_.observe());
-    if (frame && case_.output.frames > 0) output_.add_frame();
+    if (const auto alarm = observer_.self_watch().first_alarm())
+      tell(fmt::format("t = {:.4g} s: {} The run goes on.", simulation_.time(), *alarm));
+    if (!frame || case_.output.frames <= 0) return;
+    observer_.self_watch().count_crossings();
+    output_.add_frame();
   }
 
   /// The same, and from now on the run may go back to here.
@@ -225,6 +229,7 @@ class Run {
     const std::string line =
         fmt::format("{}: t {:.6g} s, {} steps, {:.1f} s of computing", outcome, simulation_.time(),
                     simulation_.last().number, progress_.elapsed());
+    for (const auto& warning : observer_.quality().warnings(case_)) tell(warning);
     log_->info(line);
     if (parallel_.root())
       std::fputs(fmt::format("{}; results in {}\n", line, options_.directory).c_str(), stderr);

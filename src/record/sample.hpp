@@ -3,6 +3,7 @@
 
 #include "base/vec.hpp"
 #include "measure/stress.hpp"
+#include "record/quality.hpp"
 
 namespace washtub {
 
@@ -56,6 +57,7 @@ struct Sample {
   std::vector<Vec<3>> probes;      ///< places of the case's probes [m]
   double enclosed_area = 0;        ///< mean over the rings [m^2]
   VelocityError error;             ///< from the exact velocity, where the case gives one
+  QualitySample quality;
 };
 
 }  // namespace washtub

@@ -95,6 +95,8 @@ Json summarise(const Case& whole, const RunEnd& end, const ClothStatistics& clot
   const RunSource run{whole, end};
   json[names::run] = table(entries::run, run, whole.dimension);
   if (!whole.cloth.empty()) json[names::coupling] = table(entries::coupling, run, whole.dimension);
+  json["quality"] = table(entries::quality, run, whole.dimension);
+  json[names::warnings] = end.quality.warnings(whole);
   if (const auto scale = scales(whole))
     json["scales"] = table(entries::scales, *scale, whole.dimension);
   json["solids"] = Json::array();

@@ -9,6 +9,7 @@
 #include "measure/trajectory.hpp"
 #include "record/declared.hpp"
 #include "record/extremes.hpp"
+#include "record/quality.hpp"
 #include "record/quantities.hpp"
 
 namespace washtub {
@@ -22,6 +23,7 @@ struct RunEnd {
   double wall_time = 0;  ///< [s]
   int frames = 0;
   Extremes extremes;
+  Quality quality = {};
 };
 
 /// What the entries on the case and its window are taken from.
@@ -68,7 +70,7 @@ struct DeclaredEntry {
 /// The declarations of summary.json, in the order of its entries.
 namespace entries {
 extern const std::vector<DeclaredEntry<TopSource>> top;
-extern const std::vector<DeclaredEntry<RunSource>> run, coupling;
+extern const std::vector<DeclaredEntry<RunSource>> run, coupling, quality;
 extern const std::vector<DeclaredEntry<Scales>> scales;
 extern const std::vector<DeclaredEntry<ClothSource>> cloth;
 extern const std::vector<DeclaredEntry<StressSource>> stress;

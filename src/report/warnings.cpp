@@ -15,6 +15,7 @@ namespace {
 constexpr double slip_bound = 0.05;    ///< of the largest speed
 constexpr double strain_bound = 0.10;  ///< of an edge
 constexpr double depth_bound = 0.1;    ///< of the smallest edge of a cell
+constexpr double held_bound = 0.5;     ///< of that edge, for nodes that were held
 
 /// Largest value of a column; none where it is missing or empty.
 std::optional<double> largest(const RunRecord& run, const std::string& name) {
@@ -129,6 +130,13 @@ void warn_of_cloth(const RunRecord& run, Sentences& found) {
         fmt::format("A node of the cloth was {:.2g} m inside a solid, {:.0f} % of a cell's edge; "
                     "below {:.0f} % is good.",
                     *depth, 100 * *depth / edge, 100 * depth_bound));
+  const auto held = summary_number(run, {names::coupling, std::string(names::depth) + " [m]"});
+  if (held.value_or(0) > held_bound * edge)
+    found.push_back(fmt::format(
+        "A node of the cloth would have gone {:.2g} m into a solid in one step, {:.0f} % of a "
+        "cell's edge, had it not been held; below {:.0f} % is good. Shorter steps (time.cfl) lower "
+        "it.",
+        *held, 100 * *held / edge, 100 * held_bound));
 }
 
 void warn_of_pressure(const RunRecord& run, Sentences& found) {
@@ -174,6 +182,14 @@ void warn_of_steps(const RunRecord& run, Sentences& found) {
         time.step, 100 * share));
 }
 
+/// What the run itself found.
+void warn_of_quality(const RunRecord& run, Sentences& found) {
+  const auto list = run.summary.is_object() ? run.summary.find(names::warnings) : run.summary.end();
+  if (list == run.summary.end() || !list->is_array()) return;
+  for (const auto& text : *list)
+    if (text.is_string()) found.push_back(text);
+}
+
 void warn_of_case(const RunRecord& run, Sentences& found) {
   if (run.definition)
     for (const std::string& note : run.definition->notes) found.push_back(note + '.');
@@ -185,6 +201,7 @@ nlohmann::ordered_json warnings(const RunRecord& run) {
   Sentences found;
   warn_of_outcome(run, found);
   warn_of_window(run, found);
+  warn_of_quality(run, found);
   warn_of_cloth(run, found);
   warn_of_pressure(run, found);
   warn_of_steps(run, found);

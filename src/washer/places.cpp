@@ -73,29 +73,6 @@ Spot<D> find_spot(const Grid<D>& grid, const Field& field, int d, Value&& value)
 }  // namespace
 
 template <int D>
-StrainedEdge most_strained_edge(const Cloth<D>& cloth) {
-  StrainedEdge found;
-  double most = 0;
-  const auto look = [&](const ClothGroup<D>& group, int piece, int node, int axis, int i, int j) {
-    const Image<D> end = group.sheet.image(i, j);
-    const auto X = cloth.piece(group, piece);
-    const Vec<D>& x = X[static_cast<std::size_t>(node)];
-    const Vec<D> leg = X[static_cast<std::size_t>(end.node)] + end.shift - x;
-    const double ratio = leg.norm() / group.sheet.spacing[axis];
-    const double strain = std::abs(0.5 * (ratio * ratio - 1));
-    if (strain <= most) return;
-    most = strain;
-    found = {ratio - 1, fmt::format("{}, {}", node_name(group, piece, node), at<D>(x))};
-  };
-  for_nodes(cloth, [&](const ClothGroup<D>& group, int piece, int node) {
-    const int i = node % group.sheet.extent[0], j = node / group.sheet.extent[0];
-    if (D == 3 && i < group.sheet.intervals(0)) look(group, piece, node, 0, i + 1, j);
-    if (j < group.sheet.intervals(1)) look(group, piece, node, 1, i, j + 1);
-  });
-  return found;
-}
-
-template <int D>
 std::string place_of_largest_speed(const Flow<D>& flow) {
   Spot<D> fastest;
   for (int d = 0; d < D; ++d) {
@@ -126,8 +103,6 @@ std::string not_finite(const Flow<D>& flow, const Cloth<D>& cloth) {
   return place;
 }
 
-template StrainedEdge most_strained_edge<2>(const Cloth<2>&);
-template StrainedEdge most_strained_edge<3>(const Cloth<3>&);
 template std::string place_of_largest_speed<2>(const Flow<2>&);
 template std::string place_of_largest_speed<3>(const Flow<3>&);
 template std::string not_finite<2>(const Flow<2>&, const Cloth<2>&);

@@ -6,15 +6,6 @@
 
 namespace washtub {
 
-/// "node (3, 4) of piece 7, at (0.1, 0.25, 0.02) m": the node at one end of the most strained edge,
-/// and how much longer the edge is than at rest.
-struct StrainedEdge {
-  double stretch = 0;  ///< length over that at rest, less one
-  std::string place;
-};
-template <int D>
-StrainedEdge most_strained_edge(const Cloth<D>& cloth);
-
 /// "at (0.1, 0.25, 0.02) m": where a velocity component is largest. Collective.
 template <int D>
 std::string place_of_largest_speed(const Flow<D>& flow);

@@ -9,14 +9,14 @@
 #include "base/error.hpp"
 #include "case/velocity_field.hpp"
 #include "washer/build.hpp"
-#include "washer/overstrained.hpp"
+#include "washer/resolution.hpp"
+#include "washer/watch.hpp"
 
 namespace washtub {
 namespace {
 
-constexpr double growth = 1.1;            // of the time step from one step to the next
-constexpr double slip_limit = 0.05;       // of the largest speed, above which the step is cut
-constexpr double divergence_limit = 0.1;  // |div u| h/U, above which the run stops
+constexpr double growth = 1.1;       // of the time step from one step to the next
+constexpr double slip_limit = 0.05;  // of the largest speed, above which the step is cut
 
 }  // namespace
 
@@ -38,6 +38,7 @@ Simulation<D>::Simulation(const Case& whole, const Parallel& parallel, Archive* 
   start_water();
   if (developed) take_developed(*developed);
   courant_rate_ = start_rate();
+  driving_speed_ = washtub::driving_speed<D>(grid_, mapping_, build_sides<D>(whole), last_.speed);
   if (cloth_.pieces() > 0)
     coupling_.emplace(flow_, cloth_, mapping_, whole.coupling.kernel, build_sides<D>(whole),
                       whole.coupling.scheme, whole.coupling.marker_spacing);
@@ -262,17 +263,19 @@ bool Simulation<D>::finite() const {
 
 template <int D>
 void Simulation<D>::watch() const {
-  const std::string where = fmt::format("step {}, t = {:.6g} s: ", last_.number, last_.time);
-  if (!std::isfinite(last_.kinetic))
-    throw RunError(where + "the velocity is no longer finite; try a smaller time.step or time.cfl");
-  if (!last_.pressure.converged && last_.divergence > divergence_limit)
-    throw RunError(where + fmt::format("the pressure solve left |div u| h/U = {:.2g} after {} "
-                                       "cycles; try a larger solver.max_cycles",
-                                       last_.divergence, last_.pressure.cycles));
-  if (last_.cloth.largest_strain <= case_.coupling.strain_limit) return;
-  const WorstEdge edge = worst_edge(cloth_);
-  if (std::abs(edge.strain) > case_.coupling.strain_limit)
-    throw RunError(where + overstrained(edge, case_));
+  const StepHealth step{.number = last_.number,
+                        .time = last_.time,
+                        .dt = last_.dt,
+                        .courant = last_.courant,
+                        .divergence = last_.divergence,
+                        .converged = last_.pressure.converged,
+                        .cycles = last_.pressure.cycles,
+                        .speed = last_.speed,
+                        .kinetic = last_.kinetic,
+                        .strain = last_.cloth.largest_strain,
+                        .slip = last_.cloth.slip,
+                        .driving_speed = driving_speed_};
+  if (const auto trouble = find_trouble(step, flow_, cloth_, case_)) throw RunError(trouble->text);
 }
 
 template class Simulation<2>;

@@ -29,8 +29,8 @@ template <int D>
 class Simulation {
  public:
   /// Places the cloth at rest, and sets the water's velocity at t = 0.
-  /// With `developed`, an archive of another simulation's state, water and cloth start as they are there;
-  /// time, solids and everything else are those of this case.
+  /// With `developed`, an archive of another simulation's state, water and cloth start as they are
+  /// there; time, solids and everything else are those of this case.
   /// @throws InputError where the cloth does not fit or the grid does not suit the ranks, or where
   /// the developed state has another grid or other cloth
   Simulation(const Case& whole, const Parallel& parallel, Archive* developed = nullptr);
@@ -66,6 +66,8 @@ class Simulation {
   const Cloth<D>& cloth() const { return cloth_; }
   const DomainMapping<D>& mapping() const { return mapping_; }
   const Case& definition() const { return case_; }
+  /// Of the fastest surface, side or inflow; else of the water at the start [m/s].
+  double driving_speed() const { return driving_speed_; }
   /// Impulse on a turning solid since the last call, the same on all ranks.
   Impulse take_impulse(std::size_t solid);
   /// Loads on a solid now, summed over the ranks (collective).
@@ -93,6 +95,7 @@ class Simulation {
   Step last_;
   double courant_rate_ = 0;  ///< largest sum over axes of |u| / h [1/s]
   double slip_factor_ = 1, caution_ = 1;
+  double driving_speed_ = 0;
   double wanted_step_ = 0;         ///< before it was cut to meet the sample [s]
   std::vector<Impulse> impulses_;  ///< on all ranks
   std::vector<double> moments_;    ///< of tau dt of this step, this rank's share [N m s]

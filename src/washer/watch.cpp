@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "washer/overstrained.hpp"
 #include "washer/places.hpp"
 
 namespace washtub {
@@ -21,19 +22,6 @@ std::string courant_text(const StepHealth& step, const WatchLimits& limits) {
       "the water goes {:.2g} cells in a step of {:.3g} s, limit {:.2g}; try a "
       "time.step of {:.1g} s, or time.fixed = false",
       step.courant, step.dt, limits.courant, 0.3 * step.dt / step.courant);
-}
-
-template <int D>
-std::string strain_text(const Cloth<D>& cloth, const WatchLimits& limits) {
-  const auto edge = most_strained_edge(cloth);
-  return fmt::format(
-      "the cloth is {} by {:.0f} % at {}, where its strain is beyond the limit of "
-      "{:.0f} % (coupling.strain_limit); cloth that is held between solids, or thin "
-      "fins of hardly more than a cell, pull at it on a coarse grid: try more "
-      "domain.cells, a larger cloth.stretch_stiffness, or another "
-      "coupling.strain_limit",
-      edge.stretch > 0 ? "stretched" : "shortened", 100 * std::abs(edge.stretch), edge.place,
-      100 * limits.strain);
 }
 
 std::string slip_text(const StepHealth& step, const WatchLimits& limits) {
@@ -62,7 +50,8 @@ bool is_finite(const StepHealth& step) {
 
 template <int D>
 std::optional<Trouble> find_trouble(const StepHealth& step, const Flow<D>& flow,
-                                    const Cloth<D>& cloth, const WatchLimits& limits) {
+                                    const Cloth<D>& cloth, const Case& whole,
+                                    const WatchLimits& limits) {
   const auto trouble = [&](TroubleKind kind, const std::string& what) {
     return Trouble{kind, fmt::format("step {}, t = {:.6g} s: {}", step.number, step.time, what)};
   };
@@ -75,9 +64,14 @@ std::optional<Trouble> find_trouble(const StepHealth& step, const Flow<D>& flow,
   }
   if (!step.converged && step.divergence > limits.divergence)
     return trouble(TroubleKind::pressure, pressure_text(step));
-  if (step.courant > limits.courant)
+  if (whole.time.fixed && step.courant > limits.courant)
     return trouble(TroubleKind::courant, courant_text(step, limits));
-  if (step.strain > limits.strain) return trouble(TroubleKind::strain, strain_text(cloth, limits));
+  const double strain_limit = whole.coupling.strain_limit;
+  if (step.strain > strain_limit) {
+    const WorstEdge edge = worst_edge(cloth);
+    if (std::abs(edge.strain) > strain_limit)
+      return trouble(TroubleKind::strain, overstrained(edge, whole));
+  }
   const double drive = step.driving_speed;
   if (drive > 0 && step.slip > limits.slip * drive)
     return trouble(TroubleKind::slip, slip_text(step, limits));
@@ -87,8 +81,8 @@ std::optional<Trouble> find_trouble(const StepHealth& step, const Flow<D>& flow,
 }
 
 template std::optional<Trouble> find_trouble<2>(const StepHealth&, const Flow<2>&, const Cloth<2>&,
-                                                const WatchLimits&);
+                                                const Case&, const WatchLimits&);
 template std::optional<Trouble> find_trouble<3>(const StepHealth&, const Flow<3>&, const Cloth<3>&,
-                                                const WatchLimits&);
+                                                const Case&, const WatchLimits&);
 
 }  // namespace washtub

@@ -2,17 +2,17 @@
 #include <optional>
 #include <string>
 
+#include "case/case.hpp"
 #include "cloth/cloth.hpp"
 #include "flow/flow.hpp"
 
 namespace washtub {
 
-/// Bounds beyond which a state makes no sense any more.
+/// Bounds beyond which a state makes no sense any more; that of strain is the case's.
 struct WatchLimits {
-  double courant = 1;       ///< CFL number: beyond it the convection scheme is unstable
+  double courant = 1;       ///< CFL number of a fixed step: beyond it convection is unstable
   double divergence = 0.1;  ///< |div u| h/U that the pressure solve may leave
   double slip = 0.5;        ///< rms slip of the cloth over the speed of what drives the water
-  double strain = 0.2;      ///< Green strain |E| of an edge
   double speed = 10;        ///< of the water over that of what drives it
 };
 
@@ -44,6 +44,7 @@ struct Trouble {
 /// where there is trouble, and then all ranks find the same.
 template <int D>
 std::optional<Trouble> find_trouble(const StepHealth& step, const Flow<D>& flow,
-                                    const Cloth<D>& cloth, const WatchLimits& limits);
+                                    const Cloth<D>& cloth, const Case& whole,
+                                    const WatchLimits& limits = {});
 
 }  // namespace washtub

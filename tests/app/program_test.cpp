@@ -100,6 +100,12 @@ TEST_F(Program, EveryCaseOfTheProjectIsValid) {
   }
 }
 
+TEST_F(Program, CheckForeseesWhatTheGridCannotResolve) {
+  EXPECT_THAT(run("check " + wash() + " --set 'fluid.viscosity=1e-3 Pa s'").text,
+              HasSubstr("warning      the grid will hardly resolve this flow: at 3.9 m/s"));
+  EXPECT_THAT(run("check " + wash()).text, testing::Not(HasSubstr("warning")));
+}
+
 TEST_F(Program, CheckPrintsThePapersGroups) {
   const std::string text = run("check " + wash()).text;
   for (const char* part : {"32 x 32 x 32 cells", "Re = 1208", "Te = 170", "Be = 2.2", "Se = 0.0638",

@@ -17,7 +17,13 @@ from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 
 CLOTH_NODES = {"membrane stress [Pa]", "bending stress [Pa]", "total stress [Pa]"}
 FLUID_CELLS = {"velocity [m/s]", "pressure [Pa]", "solid fraction"}
-FRAME_NUMBERS = {"angle of tub [rad]", "angle of agitator [rad]"}
+FRAME_NUMBERS = {
+    "angle of tub [rad]",
+    "angle of agitator [rad]",
+    "edges of cloth",
+    "edges through other pieces",
+    "edges through their own piece",
+}
 
 
 def read_history(path):

@@ -9,7 +9,6 @@ namespace washtub {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 Case wash(const std::string& viscosity, const std::string& cells = "32") {
   return read_case("cases/wash-3d/case.toml",

@@ -1,0 +1,48 @@
+#include "record/quality.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace washtub {
+namespace {
+
+constexpr double rest_bound = 0.2;        // of the work, found nowhere
+constexpr double crossings_bound = 0.01;  // of the edges
+
+}  // namespace
+
+bool is_closed(const Case& whole) {
+  return std::none_of(whole.domain.sides.begin(), whole.domain.sides.end(), [](const SideCase& s) {
+    return s.kind == SideKind::inflow || s.kind == SideKind::outflow ||
+           s.kind == SideKind::far_field;
+  });
+}
+
+std::vector<std::string> Quality::warnings(const Case& whole) const {
+  std::vector<std::string> found;
+  if (const auto text = unresolved(worst, whole)) found.push_back(*text);
+  if (is_closed(whole) && balance.share() < -rest_bound)
+    found.push_back(fmt::format(
+        "The scheme put energy into the motion: {:.2g} % of the work or the heat, whichever is "
+        "larger (below {:.0f} % is good); try more domain.cells or a smaller time.cfl.",
+        -100 * balance.share(), 100 * rest_bound));
+  if (static_cast<double>(most_crossings) > crossings_bound * static_cast<double>(crossings.edges))
+    found.push_back(fmt::format(
+        "Cloth passes through other cloth: up to {} of {} edges ({:.2g} %) in a frame. Nothing "
+        "holds pieces apart but the water between them; try more domain.cells or less cloth.",
+        most_crossings, crossings.edges,
+        100 * static_cast<double>(most_crossings) / static_cast<double>(crossings.edges)));
+  return found;
+}
+
+void Quality::state(Archive& archive) {
+  archive.value("worst resolution", worst);
+  archive.value("energy balance", balance);
+  archive.value("edges", crossings.edges);
+  archive.value("crossings of others", crossings.others);
+  archive.value("crossings of its own", crossings.own);
+  archive.value("most crossings", most_crossings);
+}
+
+}  // namespace washtub

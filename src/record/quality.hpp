@@ -1,0 +1,34 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "base/archive.hpp"
+#include "cloth/crossings.hpp"
+#include "measure/energy_balance.hpp"
+#include "washer/resolution.hpp"
+
+namespace washtub {
+
+/// What a run has shown of its own quality.
+struct Quality {
+  Resolution worst;         ///< of all rows
+  EnergyBalance balance;    ///< over all rows; of closed boxes only
+  Crossings crossings;      ///< in the last frame
+  long most_crossings = 0;  ///< edges through another piece, most in a frame
+
+  /// One sentence or paragraph on each thing that is not as it should be.
+  std::vector<std::string> warnings(const Case& whole) const;
+  void state(Archive& archive);
+};
+
+/// What a row of the history tells of it.
+struct QualitySample {
+  Resolution resolution;
+  double dissipation = 0;  ///< by viscosity, now [W]
+  double residual = 0;     ///< power put in and found nowhere since the row before [W]
+};
+
+/// Whether no water passes the sides, so that the balance of energy is kept.
+bool is_closed(const Case& whole);
+
+}  // namespace washtub

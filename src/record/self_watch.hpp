@@ -1,0 +1,41 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "record/quality.hpp"
+#include "washer/simulation.hpp"
+
+namespace washtub {
+
+/// Watches how well the grid resolves the water, where its energy goes, and cloth passing through
+/// cloth. All is collective.
+template <int D>
+class SelfWatch {
+ public:
+  explicit SelfWatch(const Simulation<D>& simulation);
+
+  /// For a row of the history. `power`: of the drives on the water, mean since the row before [W].
+  const QualitySample& observe(double power);
+  /// Cloth through cloth as it is, for a frame.
+  const Crossings& count_crossings();
+  /// A paragraph on a flow that is not resolved, once: when the first row shows it.
+  std::optional<std::string> first_alarm();
+
+  void state(Archive& archive);
+  const QualitySample& last() const { return row_; }
+  const Quality& quality() const { return quality_; }
+
+ private:
+  EnergyState energy_now(double work) const;
+
+  const Simulation<D>& simulation_;
+  SidePairs<D> sides_;
+  bool closed_;
+  bool alarmed_ = false;
+  EnergyState energy_;
+  double power_of_sides_ = 0;  ///< at the last row [W]
+  QualitySample row_;
+  Quality quality_;
+};
+
+}  // namespace washtub
