@@ -64,9 +64,14 @@ std::string Output<D>::go_on() {
 }
 
 template <int D>
-void Output<D>::sync() const {
-  if (history_) history_->sync();
-  if (tracks_) tracks_->sync();
+std::string Output<D>::sync() const {
+  try {
+    if (history_) history_->sync();
+    if (tracks_) tracks_->sync();
+  } catch (const RunError& error) {
+    return error.what();
+  }
+  return {};
 }
 
 template <int D>

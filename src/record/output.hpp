@@ -22,8 +22,8 @@ class Output {
   /// Goes on behind the rows and frames that were written when the state was saved; returns a
   /// sentence where some of them are lost.
   std::string go_on();
-  /// Waits until everything written so far is on the disk.
-  void sync() const;
+  /// Waits until all rows are on the disk; the reason where they are not, "" where they are.
+  std::string sync() const;
   /// Rows and frames so far.
   void state(Archive& archive);
 

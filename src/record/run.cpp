@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/exit_code.hpp"
 #include "base/snapshot.hpp"
+#include "io/agree.hpp"
 #include "io/checkpoint.hpp"
 #include "io/file.hpp"
 #include "record/build_facts.hpp"
@@ -209,7 +210,7 @@ class Run {
     CheckpointLabel label{options_.program, case_.resolved, simulation_.time(),
                           simulation_.last().number};
     try {
-      output_.sync();
+      agree(parallel_, output_.sync());
       checkpoints_.write(label, parallel_, [&](Archive& a) { a.value("run", *this); });
     } catch (const RunError& error) {
       tell(fmt::format("no checkpoint: {}", error.what()));
