@@ -29,7 +29,7 @@ const QualitySample& SelfWatch<D>::observe(double power) {
       find_resolution(simulation_.flow(), simulation_.driving_speed(), simulation_.last().speed);
   quality_.worst.take_worst(row_.resolution);
   if (!closed_) return row_;
-  const double sides = power_of_sides(simulation_.flow(), sides_);
+  const double sides = power_of_sides<D>(simulation_.flow(), sides_);
   const bool first = simulation_.last().number == 0;
   const double dt = simulation_.time() - energy_.time;
   const EnergyState now = energy_now(energy_.work + dt * (power + 0.5 * (sides + power_of_sides_)));

@@ -30,7 +30,7 @@ void expect_plane_couette(int flow_axis, int wall_axis) {
   Mesh<D> mesh{Vec<D>::Zero(), Vec<D>::Constant(0.25), {}, {}};
   mesh.cells.fill(8);
   for (int d = 0; d < D; ++d) mesh.h[d] *= 1 + d, mesh.periodic[d] = d != wall_axis;
-  testing::BoxSides<D> sides{};
+  SidePairs<D> sides{};
   sides[wall_axis][1].velocity[flow_axis] = U;
   WaterBox<D> box({.mesh = mesh, .viscosity = mu, .sides = sides});
   const double H = mesh.size()[wall_axis];
