@@ -37,7 +37,7 @@ void expect_plane_couette(int flow_axis, int wall_axis) {
   box.start_from([&](int d, const Vec<D>& x) { return d == flow_axis ? U * x[wall_axis] / H : 0; });
   const double expected = mu * U * U / H * mesh.size().prod() / H;
   EXPECT_NEAR(dissipation(box.flow), expected, 1e-12 * expected);
-  EXPECT_NEAR(power_of_sides(box.flow, sides), expected, 1e-12 * expected);
+  EXPECT_NEAR(power_of_sides<D>(box.flow, sides), expected, 1e-12 * expected);
 }
 
 TEST(Dissipation, OfShearBetweenWalls) {
