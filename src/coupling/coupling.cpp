@@ -103,9 +103,9 @@ typename Coupling<D>::Report Coupling<D>::move() {
   const double dt = step_.dt();
   scheme_->move();
   for (const int node : step_.pinned) next[node] = cloth.position[node];
-  const auto last = barrier_.accept(next, dt);
-  report.barrier.touched += last.touched;
-  report.barrier.penetration = std::max(report.barrier.penetration, last.penetration);
+  const int held = report.barrier.touched;  // by the scheme
+  report.barrier = barrier_.accept(next, dt);
+  report.barrier.touched += held;
   cloth.velocity_before = cloth.velocity;
   for (std::size_t i = 0; i < next.size(); ++i) {
     cloth.velocity[i] = (next[i] - cloth.position[i]) / dt;

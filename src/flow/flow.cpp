@@ -90,7 +90,9 @@ void Flow<D>::state(Archive& archive) {
   archive.value("projection", projection_);
   archive.value("prediction", prediction_);
   archive.value("step", step_);
-  if (archive.reading()) stage_ = Stage::projected;  // a step that failed is forgotten
+  if (!archive.reading()) return;
+  stage_ = Stage::projected;  // a step that failed is forgotten
+  has_kept_ = false;
 }
 
 template class Flow<2>;
