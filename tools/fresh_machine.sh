@@ -57,11 +57,11 @@ bare_debian() {
 # What lets apt and npm reach their registries: installing ca-certificates would replace the usual bundle.
 pass_in() {
   mkdir -p "$machine/host"
-  cp -L /etc/ssl/certs/ca-certificates.crt "$machine/host/certificates.crt" 2>/dev/null ||
-    : >"$machine/host/certificates.crt"
   apt-config dump | grep -E '^Acquire::(https?|Retries|ForceIP)' >"$machine/etc/apt/apt.conf.d/50host" || true
-  [ ! -s "$machine/host/certificates.crt" ] ||
+  if [ -s /etc/ssl/certs/ca-certificates.crt ]; then
+    cp -L /etc/ssl/certs/ca-certificates.crt "$machine/host/certificates.crt"
     echo 'Acquire::https::CAInfo "/host/certificates.crt";' >>"$machine/etc/apt/apt.conf.d/50host"
+  fi
   cp -L /etc/resolv.conf /etc/hosts "$machine/etc/"
   ! command -v npm >/dev/null || for level in global user; do
     file=$(npm config get ${level}config)
@@ -69,7 +69,7 @@ pass_in() {
   done
 }
 
-# Runs a command in the clone with the environment of a fresh log-in.
+# Runs a command in the clone with the environment of a fresh log-in; the shell stays, as its init.
 inside() {
   own_space sh -c '
     machine=$1
@@ -78,12 +78,15 @@ inside() {
     mount --rbind /sys "$machine/sys"
     mount --rbind /dev "$machine/dev"
     mount -t tmpfs shm "$machine/dev/shm"
-    cd / && exec chroot "$machine" env -i -C /root/washtub HOME=/root TERM=dumb \
+    bundle=/host/certificates.crt
+    [ -f "$machine$bundle" ] || bundle=
+    cd / && chroot "$machine" env -i -C /root/washtub HOME=/root TERM=dumb \
       PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
-      NODE_EXTRA_CA_CERTS=/host/certificates.crt npm_config_cafile=/host/certificates.crt \
+      ${bundle:+NODE_EXTRA_CA_CERTS=$bundle npm_config_cafile=$bundle} \
       npm_config_globalconfig=/host/npmrc-global npm_config_userconfig=/host/npmrc-user \
       ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
-      ${no_proxy:+no_proxy="$no_proxy"} "$@"' sh "$machine" "$@"
+      ${no_proxy:+no_proxy="$no_proxy"} "$@"
+    exit $?' sh "$machine" "$@"
 }
 
 # Lines of a log that tell of something missing; with the package that has it here.
@@ -128,5 +131,6 @@ attempt 1 ./washtub run cases/wash-3d/case.toml \
   ${quick:+--set 'time.end=0.2 s' --set 'output.window=["0.1 s","0.2 s"]'}
 attempt 2 ./washtub test
 say "$(chroot "$machine" dpkg-query -W | wc -l) packages at the end, $((($(date +%s) - begin_all) / 60)) min in all"
+say "logs: $machine.1.log and $machine.2.log"
 [ $failed -eq 0 ] && say "both commands succeed" || say "something failed, see above"
 exit $failed
