@@ -158,8 +158,7 @@ std::string input_reference() {
       "`washtub reference --schema > washtub.schema.json`, and let a case begin with the line "
       "`#:schema ./washtub.schema.json`. Taplo and Even Better TOML (an extension of Visual Studio "
       "Code) follow that; `taplo lint case.toml` checks without an editor. What a schema cannot "
-      "say, "
-      "such as a bound of a quantity with its unit, is left to `washtub check`.\n";
+      "say, such as a bound of a quantity with its unit, is left to `washtub check`.\n";
   case_table().document(out, "");
   drive_kinds().document(out);
   shape_kinds().document(out);
