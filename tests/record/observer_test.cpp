@@ -95,6 +95,7 @@ TEST(Observer, SlipIsNoShareOfStillWater) {
   Case whole = box();
   whole.cloth = {thread()};
   whole.cloth[0].origin = {0.3, 0.5, 0};
+  whole.time.step = 0.01;
   Simulation<2> simulation(whole, Parallel());
   Observer<2> observer(simulation);
   for (int s = 0; s < 5; ++s) observer.watch(simulation.step(1));
