@@ -16,9 +16,16 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using testing::WaterBox;
 
+template <int D>
+testing::WaterSetup<D> still_water() {
+  testing::WaterSetup<D> setup;
+  setup.mesh = cubic_mesh<D>(Vec<D>::Zero(), 1, 16);
+  return setup;
+}
+
 /// A box of still water with two plates at rest, and a healthy step.
 struct Tank {
-  WaterBox<3> water{{.mesh = cubic_mesh<3>(Vec<3>::Zero(), 1, 16)}};
+  WaterBox<3> water{still_water<3>()};
   Cloth<3> cloth;
   Case whole;
   StepHealth step{.number = 8123,
@@ -120,7 +127,7 @@ TEST(Watch, NamesWaterThatIsTooFast) {
 
 /// In two dimensions nodes have one number.
 TEST(Watch, NamesNodesOfThreads) {
-  WaterBox<2> water({.mesh = cubic_mesh<2>(Vec<2>::Zero(), 1, 16)});
+  WaterBox<2> water(still_water<2>());
   Cloth<2> cloth;
   const auto sheet = testing::thread();
   cloth.add(sheet, testing::flat(sheet));
