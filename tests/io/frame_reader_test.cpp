@@ -72,7 +72,8 @@ TEST(FrameReader, GivesBackWhatWasWritten) {
 
 /// A field that nothing but its declaration knows comes back with all that this says of it.
 TEST(FrameReader, FieldsTellWhatTheyAre) {
-  const FrameReader file(Written().path);
+  const Written w;
+  const FrameReader file(w.path);
   const WaterFrame water = file.water({"salt"});
   ASSERT_EQ(water.fields.size(), 1U);
   EXPECT_EQ(water.fields[0].field,
