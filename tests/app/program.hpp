@@ -27,10 +27,12 @@ class Program : public ::testing::Test {
   }
   ~Program() override { fs::remove_all(folder); }
 
-  /// `before`: commands of the shell that come first.
-  Outcome run(const std::string& arguments, const std::string& before = "") const {
+  /// `before`: commands of the shell that come first; `launcher`: such as mpirun.
+  Outcome run(const std::string& arguments, const std::string& before = "",
+              const std::string& launcher = "") const {
     const std::string command = "cd " + folder.string() + " && " + before + "env" +
-                                without_launcher() + " " WASHTUB_PROGRAM " " + arguments + " 2>&1";
+                                without_launcher() + " " + launcher + WASHTUB_PROGRAM " " +
+                                arguments + " 2>&1";
     FILE* pipe = popen(command.c_str(), "r");
     Outcome outcome;
     std::array<char, 4096> part{};

@@ -67,7 +67,7 @@ TEST_F(Running, KeepsOtherRunsOutOfItsDirectory) {
     EXPECT_THAT(refused.text, StartsWith("washtub: out: another run writes here: process " +
                                          std::to_string(child_) + " on "));
     const Outcome under_mpirun =
-        run("run box.toml -o out --force", "mpirun --allow-run-as-root --oversubscribe -n 2 ");
+        run("run box.toml -o out --force", "", "mpirun --allow-run-as-root --oversubscribe -n 2 ");
     EXPECT_NE(under_mpirun.code, 0);
     EXPECT_THAT(under_mpirun.text, HasSubstr("washtub: out: another run writes here: process " +
                                              std::to_string(child_) + " on "));
