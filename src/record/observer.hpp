@@ -25,6 +25,7 @@ class Observer {
   const std::vector<double>& bending() const { return bending_; }
   const std::vector<double>& total() const { return total_; }
   const ClothStatistics& cloth() const { return statistics_; }
+  double sampled() const { return sampled_; }  ///< time of the last sample [s]
   /// Statistics so far (collective).
   void state(Archive& archive);
   /// To be called after every step.

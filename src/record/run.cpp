@@ -115,29 +115,31 @@ class Run {
     row_.take(*this);
   }
 
+  /// Steps to the end. A row that is due comes before anything else, so that a run that goes on from
+  /// a checkpoint knows all rows up to its time.
   int advance() {
+    double due = schedule_.next(simulation_.time());
     while (!schedule_.reached(simulation_.time(), case_.time.end)) {
-      const double due = schedule_.next(simulation_.time());
-      while (!schedule_.reached(simulation_.time(), due)) {
-        step(due);
-        if (progress_.show(simulation_.time(), describe<D>(simulation_.last())))
-          log_->info("t {:.6g} s  {}", simulation_.time(), describe<D>(simulation_.last()));
-        switch (wish()) {
-          case Wish::stop:
-            return stop();
-          case Wish::save:
-            save();
-            break;
-          case Wish::none:
-            break;
-        }
+      step(due);
+      show_progress();
+      if (schedule_.reached(simulation_.time(), due)) {
+        sample(schedule_.take_frame(simulation_.time()));
+        tries_left_ = tries;
+        due = schedule_.next(simulation_.time());
       }
-      sample(schedule_.take_frame(simulation_.time()));
-      tries_left_ = tries;
+      const Wish wish = this->wish();
+      if (wish == Wish::stop) return stop();
+      if (wish == Wish::save) save();
     }
     save();
     finish("complete");
     return 0;
+  }
+
+  void show_progress() {
+    const std::string state = describe<D>(simulation_.last());
+    if (progress_.show(simulation_.time(), state))
+      log_->info("t {:.6g} s  {}", simulation_.time(), state);
   }
 
   enum class Wish { none, save, stop };
@@ -152,7 +154,7 @@ class Run {
   /// A run that goes on later knows nothing of the last row and frame.
   int stop() {
     save();
-    write(true);
+    if (observer_.sampled() < simulation_.time()) write(true);
     finish("stopped");
     return exit_stopped;
   }
