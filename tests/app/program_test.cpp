@@ -103,7 +103,7 @@ TEST_F(Program, EveryCaseOfTheProjectIsValid) {
 TEST_F(Program, CheckForeseesWhatTheGridCannotResolve) {
   EXPECT_THAT(run("check " + wash() + " --set 'fluid.viscosity=1e-3 Pa s'").text,
               HasSubstr("warning      the grid will hardly resolve this flow: at 3.9 m/s"));
-  EXPECT_THAT(run("check " + wash()).text, testing::Not(HasSubstr("warning")));
+  EXPECT_THAT(run("check " + wash()).text, testing::Not(HasSubstr("hardly resolve")));
 }
 
 TEST_F(Program, CheckPrintsThePapersGroups) {
