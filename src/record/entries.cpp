@@ -141,8 +141,8 @@ Json of_balance(const RunSource& s, double value) {
 }
 
 /// Null where there is no cloth.
-Json of_crossings(const RunSource& s, double value) {
-  return s.whole.cloth.empty() ? Json() : Json(value);
+Json of_crossings(const RunSource& s, Json value) {
+  return s.whole.cloth.empty() ? Json() : std::move(value);
 }
 
 }  // namespace
@@ -171,19 +171,13 @@ const std::vector<DeclaredEntry<RunSource>> quality = {
     {{"energy residual over work or heat", pure_number, "whichever is larger"},
      [](const RunSource& s) { return of_balance(s, s.end.quality.balance.share()); }},
     {{"edges of cloth", pure_number, "between neighbouring nodes"},
-     [](const RunSource& s) {
-       return of_crossings(s, static_cast<double>(s.end.quality.crossings.edges));
-     }},
+     [](const RunSource& s) { return of_crossings(s, s.end.quality.crossings.edges); }},
     {{"most edges through other pieces", pure_number, "in a frame"},
-     [](const RunSource& s) {
-       return of_crossings(s, static_cast<double>(s.end.quality.most_crossings));
-     }},
+     [](const RunSource& s) { return of_crossings(s, s.end.quality.most_crossings); }},
     {{"share of edges through other pieces", pure_number, "in the last frame"},
      [](const RunSource& s) { return of_crossings(s, s.end.quality.crossings.share()); }},
     {{"edges through their own piece", pure_number, "in the last frame"},
-     [](const RunSource& s) {
-       return of_crossings(s, static_cast<double>(s.end.quality.crossings.own));
-     }},
+     [](const RunSource& s) { return of_crossings(s, s.end.quality.crossings.own); }},
 };
 
 const std::vector<DeclaredEntry<Scales>> scales = {
