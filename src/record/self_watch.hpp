@@ -22,7 +22,6 @@ class SelfWatch {
   std::optional<std::string> first_alarm();
 
   void state(Archive& archive);
-  const QualitySample& last() const { return row_; }
   const Quality& quality() const { return quality_; }
 
  private:
