@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "io/agree.hpp"
 #include "io/file.hpp"
+#include "io/reserve.hpp"
 #include "io/seal.hpp"
 
 namespace washtub {
@@ -51,19 +52,16 @@ void CheckpointLabel::state(Archive& archive) {
 void Checkpoints::write(CheckpointLabel label, const Parallel& parallel,
                         const std::function<void(Archive&)>& save) const {
   const std::string path = fmt::format("{}/checkpoint_{:010d}.h5", folder_, label.step);
-  std::string reason;
   Size size;
   save(size);
-  if (parallel.root()) {
-    std::error_code error;
-    fs::create_directories(folder_, error);
-    reason = reserve_file(path, size.bytes);
-  }
-  agree(parallel, reason);
+  std::error_code error;
+  if (parallel.root()) fs::create_directories(folder_, error);
+  reserve_file(path, size.bytes, parallel);
   StateWriter file(path + ".part", parallel.comm(), seal_size);
+  reserve_file(path, size.bytes, parallel);
   file.value("label", label);
   save(file);
-  reason = file.close();
+  std::string reason = file.close();
   if (!reason.empty()) reason = fmt::format("cannot write {}: {}", path, reason);
   if (!parallel.any(!reason.empty()) && parallel.root()) try {
       publish(path);

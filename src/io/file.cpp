@@ -76,15 +76,4 @@ void publish_file(const std::string& path) {
   throw RunError(cannot_write(path, error));
 }
 
-std::string reserve_file(const std::string& path, std::size_t bytes) {
-  const std::string temporary = path + ".part";
-  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
-  if (file < 0) return cannot_write(path, errno);
-  const int error = ::posix_fallocate(file, 0, static_cast<::off_t>(bytes));
-  ::close(file);
-  if (error != ENOSPC && error != EFBIG && error != EDQUOT) return {};
-  std::remove(temporary.c_str());
-  return cannot_write(path, error);
-}
-
 }  // namespace washtub

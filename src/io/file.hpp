@@ -15,11 +15,6 @@ std::string read_file(const std::string& path);
 /// @throws RunError with path and reason; the old file is then as it was and nothing is left over
 void replace_file(const std::string& path, std::string_view text);
 
-/// Makes the temporary PATH.part and makes sure that `bytes` fit on the disk, since the parallel
-/// library does not survive a failed write. Returns the reason if they do not, with the temporary
-/// gone again; empty if all is well.
-std::string reserve_file(const std::string& path, std::size_t bytes);
-
 /// Makes sure that a finished PATH.part is on the disk and puts it in its place, for good.
 /// @throws RunError with path and reason; then PATH is as it was
 void publish_file(const std::string& path);

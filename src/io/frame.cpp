@@ -11,6 +11,7 @@
 #include "io/agree.hpp"
 #include "io/cloth_mesh.hpp"
 #include "io/file.hpp"
+#include "io/reserve.hpp"
 
 namespace washtub {
 namespace {
@@ -98,9 +99,10 @@ void FrameWriter::write_fluid(Hdf5File& file, const FluidBlock& fluid) const {
 void FrameWriter::write(const Frame& frame) {
   const std::string target = path(frames_);
   const ClothMesh mesh(parallel_.root() ? frame.cloth : std::vector<ClothPiece>(), dimension_);
-  agree(parallel_, parallel_.root() ? reserve_file(target, file_size(grid_, frame.fluid, mesh))
-                                    : std::string());
+  const std::size_t bytes = file_size(grid_, frame.fluid, mesh);
+  reserve_file(target, bytes, parallel_);
   Hdf5File file(target + ".part", parallel_.comm());
+  reserve_file(target, bytes, parallel_);
   file.attribute("time [s]", frame.time);
   for (const FrameNumber& number : numbers_of(frame)) file.attribute(number.name, number.value);
   write_fluid(file, frame.fluid);

@@ -142,7 +142,7 @@ TEST_F(Program, CheckAndRunTellNotes) {
   const std::string note = wash() + ":38: output.window = ";
   EXPECT_THAT(run("check " + wash() + " --set time.end='0.2 s'").text,
               HasSubstr("\nnote         " + note));
-  const std::string shorter = " --set time.end='1 ms' --set domain.cells=8 --set cloth.count=0";
+  const std::string shorter = " --set time.end='1 ms' --set domain.cells=16 --set cloth.count=0";
   for (const std::string ranks : {"1", "2"}) {
     const Outcome outcome = run("run " + wash() + shorter + " --force --no-report -n " + ranks);
     EXPECT_EQ(outcome.code, 0) << outcome.text;

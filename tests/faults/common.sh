@@ -7,17 +7,19 @@ trap 'cd /; umount "$work"/small 2>/dev/null; rm -rf "$work"' EXIT
 case=$here/case.toml
 failures=0
 
-# run DIR [OPTION...]: a run of the small case; its words go to DIR.out, its exit code is returned.
+# run DIR [OPTION...]: a run of the small case; its words go to $work/NAME.out, with the NAME of DIR,
+# its exit code is returned.
+words() { echo "$work/$(basename "$directory").out"; }
 run() {
   directory=$1
   shift
-  "$program" run "$case" -o "$directory" --no-report "$@" >>"$directory.out" 2>&1
+  "$program" run "$case" -o "$directory" --no-report "$@" >>"$(words)" 2>&1
 }
 # start DIR [OPTION...]: the same in the background, as process $pid.
 start() {
   directory=$1
   shift
-  "$program" run "$case" -o "$directory" --no-report "$@" >>"$directory.out" 2>&1 &
+  "$program" run "$case" -o "$directory" --no-report "$@" >>"$(words)" 2>&1 &
   pid=$!
 }
 # moment MILLISECONDS: sleeps for a random part of them.
@@ -56,8 +58,8 @@ same_results() {
   statistics "$2" >"$work/b"
   cmp -s "$work/a" "$work/b" || { fail "summary.json differs between $1 and $2"; diff "$work/a" "$work/b"; }
 }
-# statistics DIR: the summary without what depends on the clock.
-statistics() { grep -v 'wall time\|per second\|seconds\|"command"' "$1/summary.json"; }
+# statistics DIR: the summary without what depends on the clock or on the command line.
+statistics() { grep -v 'wall time\|per second\|"title"' "$1/summary.json"; }
 
 finish() {
   [ $failures -eq 0 ] && echo "$(basename "$0"): all as it should be"

@@ -17,7 +17,7 @@ first=$pid
 until [ -s "$work/shared/history.csv" ] || ! kill -0 $pid 2>/dev/null; do sleep 0.01; done
 "$program" run "$case" -o "$work/shared" --force --no-report -n 1 >"$work/second.out" 2>&1
 [ $? -eq 2 ] || fail "a second run into a directory in use is not refused"
-expect_text "$work/second.out" "is in use by"
+expect_text "$work/second.out" "another run writes here: process $first on"
 wait $first || fail "the first of two runs"
 run "$work/whole" -n 1
 same_results "$work/whole" "$work/shared"
