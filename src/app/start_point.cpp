@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "app/directory.hpp"
 #include "base/error.hpp"
@@ -37,6 +39,17 @@ std::string newest_of(const std::string& directory) {
   return path;
 }
 
+/// Whether statistics that were begun over one window can go on over another: not yet begun, or
+/// collected cycle by cycle up to the checkpoint.
+bool window_may_change(const CheckpointLabel& label, const Case& whole) {
+  const double begin = whole.output.window_begin, end = whole.output.window_end;
+  if (begin == label.window_begin && end == label.window_end) return true;
+  const double t = label.time * (1 - 1e-9);
+  if (t <= std::min(begin, label.window_begin)) return true;
+  return whole.scale.period > 0 && begin == label.window_begin &&
+         t <= std::min(end, label.window_end);
+}
+
 void check_case(const std::string& checkpoint, const Case& whole) {
   const CheckpointLabel label = read_label(checkpoint);
   const auto differing = differences(fixed_settings(label.case_text, checkpoint),
@@ -46,15 +59,24 @@ void check_case(const std::string& checkpoint, const Case& whole) {
         "{}: is of another case: {}; only time.end, [output], [checkpoint] and the title may "
         "change when a run goes on; to start another case from its water and cloth use --from",
         checkpoint, fmt::join(differing, "; ")));
+  if (!window_may_change(label, whole))
+    throw InputError(fmt::format(
+        "{}: its statistics are those of output.window = [\"{:.6g} s\", \"{:.6g} s\"] and cannot "
+        "go on over [\"{:.6g} s\", \"{:.6g} s\"]; leave the window as it was",
+        checkpoint, label.window_begin, label.window_end, whole.output.window_begin,
+        whole.output.window_end));
   if (whole.time.end < label.time)
     throw InputError(fmt::format("{}: is at t = {:.6g} s, beyond time.end = \"{:.6g} s\"",
                                  checkpoint, label.time, whole.time.end));
 }
 
-/// Whether a directory has nothing to go on from and no finished results either.
+/// Whether a directory has nothing to go on from and no results of a complete run either.
 bool never_saved(const std::string& directory) {
-  return Checkpoints(directory, 1).list().empty() &&
-         !fs::exists(fs::path(directory) / "summary.json");
+  if (!Checkpoints(directory, 1).list().empty()) return false;
+  std::ifstream file(fs::path(directory) / "summary.json");
+  const auto summary = nlohmann::json::parse(file, nullptr, false);
+  return summary.is_discarded() ||
+         summary.value(nlohmann::json::json_pointer("/run/outcome"), std::string()) != "complete";
 }
 
 }  // namespace

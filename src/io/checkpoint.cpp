@@ -47,6 +47,8 @@ void CheckpointLabel::state(Archive& archive) {
   archive.value("case", case_text);
   archive.value("time", time);
   archive.value("step", step);
+  archive.value("window begin", window_begin);
+  archive.value("window end", window_end);
 }
 
 void Checkpoints::write(CheckpointLabel label, const Parallel& parallel,

@@ -14,6 +14,7 @@ struct CheckpointLabel {
   std::string case_text;  ///< the case as resolved
   double time = 0;        ///< [s]
   long step = 0;
+  double window_begin = 0, window_end = 0;  ///< of the statistics in progress [s]
 
   void state(Archive& archive);
 };

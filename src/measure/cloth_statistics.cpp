@@ -9,11 +9,16 @@ ClothStatistics::ClothStatistics(std::size_t pieces, const Interval& window, dou
     : pieces_(pieces),
       axis_(axis),
       spans_(whole_cycles(window, window.end, period)),
-      batches_(!spans_.empty()),
-      whole_(batches_ && period > 0),
+      batches_(spans_.size()),
+      whole_(batches_ > 0 && period > 0),
       ended_(pieces, window),
-      open_(part(batches_ ? spans_.front() : window)) {
-  if (!batches_) spans_ = {window};
+      open_(part(batches_ > 0 ? spans_.front() : window)) {
+  if (batches_ == 0 || whole_) spans_.push_back({open_end(), window.end});
+}
+
+/// Where the part of the window begins that has no end of a cycle.
+double ClothStatistics::open_end() const {
+  return batches_ > 0 ? spans_.back().end : open_.scatter.window().begin;
 }
 
 ClothStatistics::Part ClothStatistics::part(const Interval& span) const {

@@ -29,7 +29,7 @@ class ClothStatistics {
   void add(const Interval& over, const Add& add) {
     while (over.end > open_.scatter.window().begin && goes_on()) {
       add(open_);
-      if (over.end < open_.scatter.window().end - slack()) return;
+      if (over.end < open_.scatter.window().end - slack() || cycles_.size() >= batches_) return;
       close();
     }
   }
@@ -39,9 +39,7 @@ class ClothStatistics {
   /// Over the whole cycles that have ended; over all there is where none has, or without a period.
   Part all() const;
   /// Of each whole cycle that has ended; without a period of each eighth of the window.
-  std::span<const Scatter> cycles() const {
-    return {cycles_.data(), batches_ ? cycles_.size() : 0};
-  }
+  std::span<const Scatter> cycles() const { return cycles_; }
 
  private:
   Part part(const Interval& span) const;
@@ -49,11 +47,13 @@ class ClothStatistics {
   Part next() const { return part(goes_on() ? spans_[cycles_.size()] : Interval{}); }
   double slack() const { return 1e-6 * open_.scatter.window().length(); }  ///< of whole_cycles()
   void close();
+  double open_end() const;
 
   std::size_t pieces_;
   Vec<2> axis_;
-  std::vector<Interval> spans_;  ///< cycles, or the window itself where it has none
-  bool batches_, whole_;         ///< whether it has some; and what comes after them does not count
+  std::vector<Interval> spans_;  ///< cycles, and what is left of the window behind them
+  std::size_t batches_;          ///< how many of them end
+  bool whole_;                   ///< they are cycles, and what comes after them does not count
   StressStatistics ended_;       ///< over those that have ended
   std::vector<Scatter> cycles_;  ///< over each of those
   Part open_;                    ///< over what there is of the one that goes on

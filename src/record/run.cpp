@@ -115,8 +115,8 @@ class Run {
     row_.take(*this);
   }
 
-  /// Steps to the end. A row that is due comes before anything else, so that a run that goes on from
-  /// a checkpoint knows all rows up to its time.
+  /// Steps to the end. A row that is due comes before anything else, so that a run that goes on
+  /// from a checkpoint knows all rows up to its time.
   int advance() {
     double due = schedule_.next(simulation_.time());
     while (!schedule_.reached(simulation_.time(), case_.time.end)) {
@@ -209,8 +209,9 @@ class Run {
 
   /// A checkpoint; where it cannot be written the run goes on.
   void save() {
-    CheckpointLabel label{options_.program, case_.resolved, simulation_.time(),
-                          simulation_.last().number};
+    const CheckpointLabel label{options_.program,          case_.resolved,
+                                simulation_.time(),        simulation_.last().number,
+                                case_.output.window_begin, case_.output.window_end};
     try {
       agree(parallel_, output_.sync());
       checkpoints_.write(label, parallel_, [&](Archive& a) { a.value("run", *this); });

@@ -143,7 +143,7 @@ struct Saved {
   Scratch dir;
   Checkpoints ring;
 
-  explicit Saved(int keep = 2) : ring(dir.path(), keep) {}
+  explicit Saved(int keep = 2) : dir(Scratch::For::all_ranks), ring(dir.path(), keep) {}
   template <class Part>
   void write(Part& thing, long step) {
     ring.write({"washtub test", "[case]", 0.5, step}, parallel,
