@@ -42,7 +42,9 @@ def ensure_display():
     xvfb = shutil.which("xvfb-run")
     if xvfb is None:
         sys.exit("paraview_picture.py: there is no display; install the packages xvfb and xauth")
-    os.execv(xvfb, [xvfb, "-a", "pvpython", os.path.abspath(__file__), *sys.argv[1:]])
+    # A server that resets when its last client leaves would refuse the one that comes just then.
+    server = "-screen 0 1280x1024x24 -nolisten tcp -noreset"
+    os.execv(xvfb, [xvfb, "-a", "-s", server, "pvpython", os.path.abspath(__file__), *sys.argv[1:]])
 
 
 def open_run(directory):

@@ -61,6 +61,17 @@ std::string plain_key(const std::string& key) {
   return plain;
 }
 
+namespace {
+
+/// A text in a cell of a Markdown table, whose bars would end it.
+std::string cell(const std::string& text) {
+  std::string out;
+  for (const char letter : text) (letter == '|' ? out += '\\' : out) += letter;
+  return out;
+}
+
+}  // namespace
+
 void document_keys(std::string& out, const std::string& heading, const std::string& meaning,
                    const std::vector<KeyText>& keys) {
   out +=
@@ -68,8 +79,8 @@ void document_keys(std::string& out, const std::string& heading, const std::stri
   if (keys.empty()) return;
   out += "\n| key | value | default | allowed | meaning |\n|---|---|---|---|---|\n";
   for (const KeyText& key : keys)
-    out += fmt::format("| `{}` | {} | {} | {} | {} |\n", key.name, key.type, key.fallback,
-                       key.allowed, key.meaning);
+    out += fmt::format("| `{}` | {} | {} | {} | {} |\n", key.name, key.type, cell(key.fallback),
+                       cell(key.allowed), cell(key.meaning));
 }
 
 Node table_in(const Node& table, const std::string& name) {

@@ -4,6 +4,7 @@
 #include <zlib.h>
 
 #include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <vector>
@@ -53,9 +54,10 @@ void seal_file(const std::string& path, const std::string& kind, int version) {
 
 void check_seal(const std::string& path, const std::string& kind, int version) {
   std::ifstream file(path, std::ios::binary);
+  if (!file) throw not_sound(path, fmt::format("cannot be read: {}", std::strerror(errno)));
   std::string seal(seal_size, '\0');
   if (!file.read(seal.data(), static_cast<std::streamsize>(seal.size())))
-    throw not_sound(path, "cannot be read, or is cut short");
+    throw not_sound(path, "is cut short, or never finished");
   std::istringstream words(seal);
   std::string name, its_kind, bytes, crc;
   int its_version = 0;

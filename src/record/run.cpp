@@ -177,9 +177,10 @@ class Run {
     row_.put_back(*this);
     const double part = std::pow(share, tries - --tries_left_);
     simulation_.be_cautious(part);
-    tell(
-        fmt::format("{}. Trying again from t = {:.6g} s with {:g} of the step (failed at {:.6g} s)",
-                    reason, simulation_.time(), part, failed));
+    const std::string what =
+        tries_left_ == tries - 1 ? reason : fmt::format("the same at t = {:.6g} s", failed);
+    tell(fmt::format("{}. Trying again from t = {:.6g} s with {:g} of the step", what,
+                     simulation_.time(), part));
   }
 
   void give_up() {

@@ -29,5 +29,5 @@ done
 for file in "$work"/whole/checkpoints/*.h5; do truncate -s 100 "$file"; done
 expect_code 2 run "$work/whole" -n 1 --resume
 expect_text "$work/whole.out" "holds no checkpoint to go on from"
-expect_text "$work/whole.out" "cannot be read, or is cut short"
+expect_text "$work/whole.out" "is cut short, or never finished"
 finish
