@@ -23,3 +23,8 @@ if(WASHTUB_SANITIZE)
   target_compile_options(washtub_compiler INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer)
   target_link_options(washtub_compiler INTERFACE -fsanitize=address,undefined)
 endif()
+if(WASHTUB_FUZZ)  # a finding of the sanitizers ends the fuzzer
+  target_compile_options(washtub_compiler INTERFACE
+    -fsanitize=fuzzer-no-link,float-cast-overflow -fno-sanitize-recover=all)
+  target_link_options(washtub_compiler INTERFACE -fsanitize=float-cast-overflow)
+endif()

@@ -33,6 +33,9 @@ struct Node::Member {
   Node node;
 };
 
+constexpr std::size_t deepest = 64;  ///< tables and lists within each other, at most
+std::string too_deep_text();         ///< what is said of more
+
 /// Reads a TOML file into a table. @throws InputError with line and reason.
 Node parse_file(const std::string& path);
 /// The same of the text of a file called `name`.

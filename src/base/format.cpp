@@ -45,6 +45,8 @@ double read_number(const Node& node, const Range& range) {
     value = static_cast<double>(*whole);
   if (!std::isfinite(value)) throw error_at(node, "expected a number without unit such as 0.5");
   check_range(node, value, range, "");
+  if (std::abs(value) > largest_quantity)
+    throw error_at(node, fmt::format("allowed: up to {:g} either way", largest_quantity));
   return value;
 }
 

@@ -81,8 +81,16 @@ void set_entry(Node& table, const Step& step, std::optional<Node> value) {
 
 Node empty_table(const std::string& key) { return {Node::Members{}, "--set", key}; }
 
+/// TOML, or else the text as it is.
+Node value_of(const std::string& text, const std::string& key) {
+  if (const auto value = parse_value(text, key)) return *value;
+  if (const auto value = parse_value(quoted(text), key)) return *value;
+  throw InputError("the value is no text in UTF-8");
+}
+
 void apply(Node& root, const std::string& key, const std::string& text) {
   const std::vector<Step> steps = split(key);
+  if (steps.size() > deepest) throw InputError(too_deep_text());
   Node* table = &root;
   for (size_t i = 0; i + 1 < steps.size(); ++i) {
     if (!table->find(steps[i].name))
@@ -95,7 +103,7 @@ void apply(Node& root, const std::string& key, const std::string& text) {
   std::string full_key = join(table->key, last.name);
   if (last.entry) full_key += fmt::format("[{}]", *last.entry);
   std::optional<Node> value;
-  if (!text.empty()) value = parse_value(text, full_key).value_or(Node{text, "--set", full_key});
+  if (!text.empty()) value = value_of(text, full_key);
   if (last.entry) return set_entry(*table, last, std::move(value));
   set_member(*table, last.name, std::move(value));
 }

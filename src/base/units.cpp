@@ -97,7 +97,9 @@ double parse_quantity(std::string_view text, const Measure& expected) {
     throw InputError(fmt::format("unknown unit \"{}\", expected {} such as \"{}\"", unit_name,
                                  expected.name, expected.example));
   const double result = convert(value, unit.get(), expected);
-  if (!std::isfinite(result)) refuse(expected);
+  if (!(std::abs(result) <= largest_quantity))
+    throw InputError(
+        fmt::format("expected {} up to {:g} {}", expected.name, largest_quantity, expected.unit));
   return result;
 }
 

@@ -27,10 +27,13 @@ inline constexpr Measure curvature{"curvature", "m^-1", "4 m^-1"};
 inline constexpr Measure areal_mass{"mass per area", "kg/m^2", "9.3e-2 kg/m^2"};
 }  // namespace measure
 
+/// What no quantity of a case exceeds: products of several remain finite.
+constexpr double largest_quantity = 1e30;
+
 /// The SI value of a text such as "120 rpm".
 /// Angles count as a dimension of their own, so "2 Hz" is no angular speed.
-/// @throws InputError `expected force per length such as "8e5 N/m"`, and `unknown unit "blob"`
-/// where that is what is wrong
+/// @throws InputError `expected force per length such as "8e5 N/m"`, and `unknown unit "blob"` or
+/// `expected length up to 1e+30 m` where that is what is wrong
 double parse_quantity(std::string_view text, const Measure& expected);
 
 /// "0.31 m": the shortest text that parses to the same value; zero is never "-0".

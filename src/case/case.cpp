@@ -73,7 +73,7 @@ void set_scales(CaseFile& file, const Node&, int dimension) {
 void set_times(CaseFile& file, const Node& root, int) {
   Case& whole = file.result;
   const double peak = fastest_drive(whole);
-  if (whole.time.step == 0 && peak > 0) whole.time.step = 5e-3 / peak;
+  if (whole.time.step == 0 && peak > 0) whole.time.step = std::min(5e-3 / peak, largest_quantity);
   if (whole.output.every == 0)
     whole.output.every = (whole.scale.period > 0 ? whole.scale.period : whole.time.end) / 200;
   if (!find_key(root, "output.window")) whole.output.window_end = whole.time.end;
@@ -130,15 +130,7 @@ int read_dimension(const Node& root) {
   return node ? dimension_format().read(*node, 3) : Case().dimension;
 }
 
-}  // namespace
-
-const Table<CaseFile>& case_table() {
-  static const Table<CaseFile> table = declare();
-  return table;
-}
-
-Case read_case(const std::string& path, const std::vector<std::string>& settings) {
-  Node root = parse_file(path);
+Case read_root(Node root, const std::vector<std::string>& settings) {
   for (const std::string& setting : settings) apply_setting(root, setting);
   check_known(root, case_table().names());
   const int dimension = read_dimension(root);
@@ -149,6 +141,22 @@ Case read_case(const std::string& path, const std::vector<std::string>& settings
   if (title && title->where != "--set") file.result.title += changes(settings);
   case_table().write(file.result.resolved, file, "", dimension);
   return std::move(file.result);
+}
+
+}  // namespace
+
+const Table<CaseFile>& case_table() {
+  static const Table<CaseFile> table = declare();
+  return table;
+}
+
+Case read_case(const std::string& path, const std::vector<std::string>& settings) {
+  return read_root(parse_file(path), settings);
+}
+
+Case read_case_text(const std::string& text, const std::string& name,
+                    const std::vector<std::string>& settings) {
+  return read_root(parse_text(text, name), settings);
 }
 
 std::string input_reference() {

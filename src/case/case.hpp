@@ -160,7 +160,10 @@ struct Case {
   std::vector<std::string> notes;  ///< what the user should know, a sentence each
 };
 
-/// Nodes along r and s: as given, or from `spacing` in lateral cells; {n, 1} in 2-D.
+constexpr int most_nodes = 4096;  ///< along an edge of a piece
+
+/// Nodes along r and s: as given, or from `spacing` in lateral cells; {n, 1} in 2-D. No count above
+/// `most_nodes` is told from others.
 std::array<int, 2> cloth_nodes(const ClothCase& cloth, const Case& whole);
 /// Distances between them at rest [m]: as many as there are intervals make up the size, where a
 /// clamp counts half an interval less and a closed direction one more. 0 where there is one node.
@@ -173,6 +176,9 @@ bool is_held(const std::vector<Edge>& held, int direction, int end);
 /// `settings` are "key=value" overrides as given by `--set`.
 /// @throws InputError with file, line, key, allowed values and nearest known name.
 Case read_case(const std::string& path, const std::vector<std::string>& settings = {});
+/// The same of the text of a file called `name`.
+Case read_case_text(const std::string& text, const std::string& name,
+                    const std::vector<std::string>& settings = {});
 
 /// The input reference, one line per key, in Markdown, from the same declarations.
 std::string input_reference();

@@ -20,6 +20,17 @@ void check_box(const CaseFile& file, const Node& root) {
                                      metres(-radius), metres(radius)));
 }
 
+/// Sizes and speed that follow from other keys may exceed what a key itself may be.
+void check_magnitudes(const Case& whole, const Node& root) {
+  if (!(whole.domain.size.maxCoeff() <= largest_quantity))
+    throw error_at_key(root, "washer.radius", "",
+                       fmt::format("leads to a box wider than {:g} m", largest_quantity));
+  if (!(whole.scale.speed <= largest_quantity))
+    throw error_at_key(
+        root, "scale.speed", fmt::format("\"{:g} rad/s\"", whole.scale.speed),
+        fmt::format("allowed: up to \"{:g} rad/s\"; try a larger scale.length", largest_quantity));
+}
+
 void check_names(const CaseFile& file, const Node& root) {
   std::set<std::string> seen;
   for (const SolidSpec& solid : file.solids)
@@ -59,6 +70,7 @@ InputError error_at_key(const Node& root, const std::string& key, const std::str
 std::string metres(double length) { return fmt::format("\"{:.6g} m\"", length); }
 
 void check_case(const CaseFile& file, const Node& root) {
+  check_magnitudes(file.result, root);
   check_sides(file.result, root);
   check_box(file, root);
   check_names(file, root);

@@ -99,6 +99,12 @@ void check_nodes(const CaseFile& file, const ClothCase& cloth, const Node& root,
   for (int d = 0; d + 1 < file.result.dimension; ++d) {
     const int clamps = is_held(cloth.clamped, d, 0) + is_held(cloth.clamped, d, 1);
     const auto end = static_cast<size_t>(d);
+    if (nodes[end] > most_nodes)
+      throw error_at_key(root, cloth_key(i, total, "size"), "",
+                         fmt::format("takes more than {} nodes along {} at {} lateral cells from "
+                                     "one to the next (cloth.spacing); try a smaller cloth.size, a "
+                                     "larger cloth.spacing or cloth.nodes",
+                                     most_nodes, edges[d], cloth.spacing));
     if (nodes[end] >= 3 + clamps) continue;
     const bool given = cloth.nodes[0] > 0;
     throw error_at_key(root, cloth_key(i, total, given ? "nodes" : "spacing"),

@@ -47,7 +47,8 @@ Table<ClothCase> cloth_table() {
       .key("size", &ClothCase::size, extents(measure::length, above(0)),
            "edge lengths at rest; in 2-D the length alone")
       .required()
-      .key("nodes", &ClothCase::nodes, sheet_counts(between(3, 4096)), "nodes along the edges")
+      .key("nodes", &ClothCase::nodes, sheet_counts(between(3, most_nodes)),
+           "nodes along the edges")
       .fallback("from `spacing`")
       .omitted([](const ClothCase& cloth, int) { return cloth.nodes[0] == 0; })
       .key("spacing", &ClothCase::spacing, number(between(0.5, 8)),
@@ -81,7 +82,8 @@ std::array<int, 2> cloth_nodes(const ClothCase& cloth, const Case& whole) {
   for (int d = 0; d + 1 < whole.dimension; ++d) {
     const auto i = static_cast<size_t>(d);
     const double wanted = cloth.size[i] / (cloth.spacing * lateral);
-    nodes[i] = static_cast<int>(std::lround(wanted - intervals(cloth, d, 0)));
+    nodes[i] =
+        static_cast<int>(std::lround(std::min(wanted - intervals(cloth, d, 0), most_nodes + 1.0)));
   }
   return nodes;
 }

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <string_view>
@@ -54,6 +55,12 @@ herr_t keep_name(hid_t, const char* name, const H5A_info_t*, void* names) {
   return 0;
 }
 
+/// Whether an attribute has one value; the library would write all it has into the room for one.
+bool is_single(hid_t attribute) {
+  const Hdf5Handle space(H5Aget_space(attribute), H5Sclose);
+  return H5Sget_simple_extent_npoints(space) == 1;
+}
+
 /// Marks the directions in which some cell of a piece joins its last nodes to its first ones.
 void mark_closed(std::vector<ClothFrame::Piece>& pieces, const std::vector<int>& cells,
                  const std::vector<int>& piece) {
@@ -98,7 +105,7 @@ void FrameReader::fail(const std::string& what) const {
 double FrameReader::attribute(const std::string& name) const {
   const Hdf5Handle found(H5Aopen(file_, name.c_str(), H5P_DEFAULT), H5Aclose);
   double value = 0;
-  if (found < 0 || H5Aread(found, H5T_NATIVE_DOUBLE, &value) < 0)
+  if (found < 0 || !is_single(found) || H5Aread(found, H5T_NATIVE_DOUBLE, &value) < 0)
     fail(fmt::format("has no \"{}\"; it may be of another version", name));
   return value;
 }
@@ -129,7 +136,7 @@ template <class T>
 std::vector<T> FrameReader::values(const std::string& name, hid_t type) const {
   const std::vector<hsize_t> n = extent(name);
   const double count = std::accumulate(n.begin(), n.end(), 1.0, std::multiplies<>());
-  if (count > static_cast<double>(fs::file_size(path_)))
+  if (count > static_cast<double>(bytes()))
     fail(fmt::format("dataset {} is damaged: larger than its file", name));
   std::vector<T> out(static_cast<std::size_t>(count));
   const Hdf5Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
@@ -137,6 +144,8 @@ std::vector<T> FrameReader::values(const std::string& name, hid_t type) const {
     fail(fmt::format("dataset {} cannot be read ({})", name, hdf5_error()));
   return out;
 }
+
+std::uintmax_t FrameReader::bytes() const { return fs::file_size(path_); }
 
 std::vector<double> FrameReader::per_node(const std::string& name, std::size_t count) const {
   auto out = values<double>(name, H5T_NATIVE_DOUBLE);
@@ -155,6 +164,8 @@ ClothFrame FrameReader::cloth() const {
     if (piece.first != static_cast<int>(nodes) || piece.extent[0] < 1 || piece.extent[1] < 1)
       fail("dataset cloth/pieces is no list of pieces; it may be of another version");
     nodes += static_cast<std::size_t>(piece.extent[0]) * static_cast<std::size_t>(piece.extent[1]);
+    if (nodes > bytes())
+      fail("dataset cloth/pieces is damaged: more nodes than the file has bytes");
     cloth.pieces.push_back(piece);
   }
   cloth.positions = per_node("cloth/positions", 3 * nodes);
@@ -170,6 +181,9 @@ ClothFrame FrameReader::cloth() const {
       fail(fmt::format("dataset cloth/piece names piece {} of {}", p, cloth.pieces.size()));
   if (cells.size() != 4 * piece.size() && cells.size() != 2 * piece.size())
     fail("dataset cloth/cells does not fit cloth/piece");
+  for (const int n : cells)
+    if (n < 0 || n >= static_cast<int>(nodes))
+      fail(fmt::format("dataset cloth/cells names node {} of {}", n, nodes));
   mark_closed(cloth.pieces, cells, piece);
   return cloth;
 }
@@ -188,6 +202,7 @@ std::string FrameReader::text(hid_t dataset, const char* name) const {
   const Hdf5Handle attribute(H5Aopen(dataset, name, H5P_DEFAULT), H5Aclose);
   const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
   if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) return "";
+  if (!is_single(attribute) || H5Tget_size(type) > bytes()) return "";
   std::string text(H5Tget_size(type), ' ');
   return H5Aread(attribute, type, text.data()) < 0 ? "" : text;
 }
@@ -204,8 +219,13 @@ FieldDescription FrameReader::field(const std::string& group, const std::string&
 std::array<int, 3> FrameReader::cells() const {
   for (const std::string& name : names("fluid")) {
     const std::vector<hsize_t> n = extent("fluid/" + name);
-    if (n.size() == 3 || n.size() == 4)
-      return {static_cast<int>(n[2]), static_cast<int>(n[1]), static_cast<int>(n[0])};
+    if (n.size() != 3 && n.size() != 4) continue;
+    const double count = std::accumulate(n.begin(), n.end(), 1.0, std::multiplies<>());
+    const auto most = static_cast<hsize_t>(std::numeric_limits<int>::max());
+    if (count < 1 || count > static_cast<double>(bytes()) ||
+        *std::max_element(n.begin(), n.end()) > most)
+      fail(fmt::format("dataset fluid/{} is damaged: {} cells", name, count));
+    return {static_cast<int>(n[2]), static_cast<int>(n[1]), static_cast<int>(n[0])};
   }
   fail("has no field of the water; it may be of another version");
 }

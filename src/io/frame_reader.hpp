@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,7 @@ class FrameReader {
   FieldDescription field(const std::string& group, const std::string& name,
                          std::size_t components) const;
   std::string text(hid_t dataset, const char* name) const;
+  std::uintmax_t bytes() const;  ///< of the file
 
   std::string path_;
   Hdf5Handle file_;

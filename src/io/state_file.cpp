@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cstdint>
+#include <filesystem>
+
 #include "base/error.hpp"
 
 namespace washtub {
@@ -129,6 +132,8 @@ std::size_t StateReader::length(const std::string& path, std::size_t) {
   const Hdf5Handle from = dataset(path), on_file(H5Dget_space(from), H5Sclose);
   const auto count = H5Sget_simple_extent_npoints(on_file);
   check(count, path);
+  if (static_cast<std::uintmax_t>(count) > std::filesystem::file_size(path_))
+    throw InputError(fmt::format("cannot read {}: {} is larger than the file", path_, path));
   return static_cast<std::size_t>(count);
 }
 

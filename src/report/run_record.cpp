@@ -80,12 +80,15 @@ void read_definition(RunRecord& run) {
   }
 }
 
+/// What lies deeper in a summary than anything of ours is left out.
+bool is_shallow(int depth, Json::parse_event_t, Json&) { return depth < 16; }
+
 void read_summary(RunRecord& run) {
   const std::string text =
       text_of(run, "summary.json",
               "There is no summary.json: the run is still going on, or it was ended from outside.");
   if (text.empty()) return;
-  Json summary = Json::parse(text, nullptr, false);
+  Json summary = Json::parse(text, is_shallow, false);
   if (summary.is_object())
     run.summary = std::move(summary);
   else

@@ -115,6 +115,19 @@ TEST(ClothKeys, Sheets) {
   expect_error(sheet + "count = 2\n", "a sheet is a single piece");
 }
 
+TEST(ClothKeys, NodesThatFollowFromTheSpacingAreBounded) {
+  const std::string ring =
+      square +
+      "[cloth]\nstretch_stiffness = \"8 N/m\"\n"
+      "bending_stiffness = \"1e-5 N m\"\nthickness = \"1 mm\"\narrangement = \"ring\"\n"
+      "centre = [\"50 cm\", \"50 cm\"]\nradius = \"10 cm\"\n";
+  for (const char* length : {"1 km", "1e25 m"})
+    expect_error(
+        ring + "size = [\"" + length + "\"]\n",
+        "takes more than 4096 nodes along r at 1.7 lateral cells from one to the next "
+        "(cloth.spacing); try a smaller cloth.size, a larger cloth.spacing or cloth.nodes");
+}
+
 TEST(ClothKeys, BelongToTheirArrangement) {
   const std::string random = square + thread + "arrangement = \"random\"\n";
   expect_error(random + "pinned = [\"r_lower\"]\n", "only for \"sheet\"");

@@ -108,6 +108,29 @@ TEST(KindSettings, TakeOutKeysOfAnotherArrangement) {
             "--set cloth.tilt=: the case file does not give it, so it cannot be taken out");
 }
 
+TEST(AnySettings, ReadBackFromTheResolvedCase) {
+  const Case whole = read_text(washer, {"title=bell \a and\ttab", "fluid.viscosity=2 Pa s"});
+  EXPECT_EQ(whole.title, "bell \a and\ttab");
+  EXPECT_EQ(read_case_text(whole.resolved, "case.toml").resolved, whole.resolved);
+}
+
+TEST(AnySettings, AreRefusedWhereTheyLeadBeyondAllNumbers) {
+  EXPECT_THAT(error_of(washer, {"washer.radius=1e31 m"}),
+              HasSubstr("expected length up to 1e+30 m"));
+  EXPECT_THAT(error_of(washer, {"washer.radius=9e29 m"}),
+              HasSubstr("washer.radius = \"9e29 m\": leads to a box wider than 1e+30 m"));
+  const std::string stream =
+      "dimension = 2\n[domain]\nsize = [\"1e-9 m\", \"1 m\"]\ncells = 32\n"
+      "[time]\nend = \"1 s\"\n[fluid]\nviscosity = \"1 Pa s\"\n[domain.sides]\n"
+      "x_lower = \"inflow\"\nx_upper = \"outflow\"\n"
+      "x_lower_velocity = [\"1e29 m/s\", \"0 m/s\"]\n";
+  EXPECT_THAT(error_of(stream),
+              HasSubstr("scale.speed = \"2e+38 rad/s\" (default): allowed: up to \"1e+30 rad/s\"; "
+                        "try a larger scale.length"));
+  EXPECT_THAT(error_of(washer, {"domain.mapping=smooth", "domain.mapping_width=1e31"}),
+              HasSubstr("allowed: up to 1e+30 either way"));
+}
+
 TEST(EndSettings, CutTheFilesWindowOff) {
   const Case whole = read_case(wash, {"time.end=10 s"});
   EXPECT_NEAR(whole.output.window_begin, 2 * std::numbers::pi, 1e-12);

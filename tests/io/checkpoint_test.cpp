@@ -274,6 +274,22 @@ TEST(Checkpoint, NoneIsSaidWithWhatIsWrong) {
                   "checkpoints: holds no checkpoint to go on from; start anew with --force")));
 }
 
+TEST(StateReader, AListThatTheFileCannotHoldIsRefused) {
+  const Scratch folder;
+  const std::string path = folder / "state.h5";
+  {
+    const Hdf5Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
+                          H5Fclose);
+    const hsize_t many = hsize_t{1} << 50;
+    const Hdf5Handle space(H5Screate_simple(1, &many, nullptr), H5Sclose);
+    H5Dclose(
+        H5Dcreate2(file, "counts", H5T_NATIVE_INT, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+  }
+  std::vector<int> counts;
+  EXPECT_THAT([&] { StateReader(path).value("counts", counts); },
+              ThrowsMessage<InputError>(HasSubstr("state.h5: counts is larger than the file")));
+}
+
 TEST(Snapshot, PutsEverythingBack) {
   const Parallel parallel;
   const Grid<3> grid(mesh<3>(), parallel, even<3>());

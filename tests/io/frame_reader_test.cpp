@@ -134,6 +134,56 @@ TEST(FrameReader, NamesAWrongShape) {
   w.expect_failure("dataset cloth/total has 4 values for 10");
 }
 
+/// Puts three values in place of one; read into the room for one they would overwrite others.
+TEST(FrameReader, AttributesHaveOneValue) {
+  const Written w;
+  const hsize_t three = 3;
+  w.change([&](hid_t file) {
+    const Hdf5Handle space(H5Screate_simple(1, &three, nullptr), H5Sclose);
+    const Hdf5Handle text(H5Tcopy(H5T_C_S1), H5Tclose);
+    H5Tset_size(text, 100);
+    H5Adelete_by_name(file, "fluid/salt", "label", H5P_DEFAULT);
+    H5Aclose(H5Acreate_by_name(file, "fluid/salt", "label", text, space, H5P_DEFAULT, H5P_DEFAULT,
+                               H5P_DEFAULT));
+  });
+  EXPECT_EQ(FrameReader(w.path).water({"salt"}).fields[0].field.label, "salt");
+  w.change([&](hid_t file) {
+    const Hdf5Handle space(H5Screate_simple(1, &three, nullptr), H5Sclose);
+    H5Adelete(file, "time [s]");
+    H5Aclose(H5Acreate2(file, "time [s]", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT));
+  });
+  w.expect_failure("has no \"time [s]\"; it may be of another version");
+}
+
+void overwrite(hid_t file, const char* name, const std::vector<int>& values) {
+  const Hdf5Handle dataset(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
+  H5Dwrite(dataset, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+}
+
+TEST(FrameReader, NamesWhatIsOutOfRange) {
+  const Written w;
+  w.change([](hid_t file) { overwrite(file, "cloth/cells", std::vector<int>(16, -2147483647)); });
+  w.expect_failure("dataset cloth/cells names node -2147483647 of 10");
+  w.change([](hid_t file) {
+    overwrite(file, "cloth/pieces", {0, 2147483647, 2147483647, 6, 2, 2});
+  });
+  w.expect_failure("dataset cloth/pieces is damaged: more nodes than the file has bytes");
+}
+
+TEST(FrameReader, AGridThatTheFileCannotHoldIsRefused) {
+  const Written w;
+  w.change([](hid_t file) {
+    const std::array<hsize_t, 3> n = {hsize_t{1} << 32, hsize_t{1} << 20, 2};
+    const Hdf5Handle space(H5Screate_simple(3, n.data(), nullptr), H5Sclose);
+    const Hdf5Handle plist(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    H5Pset_alloc_time(plist, H5D_ALLOC_TIME_LATE);
+    H5Dclose(
+        H5Dcreate2(file, "fluid/air", H5T_NATIVE_FLOAT, space, H5P_DEFAULT, plist, H5P_DEFAULT));
+  });
+  EXPECT_THAT([&] { FrameReader(w.path).cells(); },
+              ThrowsMessage<InputError>(HasSubstr("dataset fluid/air is damaged: 9.0")));
+}
+
 TEST(FrameFiles, AreListedWithTheirGaps) {
   const Scratch dir;
   EXPECT_TRUE(frame_files(dir.path()).numbers.empty());

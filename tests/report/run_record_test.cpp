@@ -32,6 +32,16 @@ TEST(ReadRun, AWholeRunMissesNothing) {
   EXPECT_EQ(summary_number(run, {"run", "steps", "more"}), std::nullopt);
 }
 
+TEST(ReadRun, ADeepSummaryIsReadAsFarAsItIsOurs) {
+  const RunFolder folder;
+  folder.write("run/history.csv", RunFolder::history({}, 2));
+  folder.write("run/summary.json", R"({"run": {"steps": 4, "x": )" + std::string(1000000, '[') +
+                                       std::string(1000000, ']') + "}}");
+  const RunRecord run = read_run(folder.path("run"));
+  const RunRecord copy = run;
+  EXPECT_EQ(summary_number(copy, {"run", "steps"}), 4);
+}
+
 TEST(ReadRun, RefusesWhatIsNoRun) {
   const RunFolder folder;
   const auto reading = [&](const std::string& name) {
