@@ -35,12 +35,12 @@ fuzz() {  # TARGET CORPUS... OPTIONS
   local target=$1
   shift
   $build/tests/fuzz/fuzz_"$target" "$@" -dict=$build/words -max_len="$(length_of "$target")" \
-    -rss_limit_mb=2048 -malloc_limit_mb=1024 -timeout=10 -print_final_stats=1 \
+    -rss_limit_mb=2048 -malloc_limit_mb=1024 -timeout=60 -print_final_stats=1 \
     -artifact_prefix=$build/found/"$target"-
 }
 
 if [ "${1:-}" = merge ]; then
-  fuzz "$2" tests/fuzz/corpus/"$2" $build/corpus/"$2" -merge=1
+  fuzz "$2" tests/fuzz/corpus/"$2" $build/corpus/"$2" -set_cover_merge=1 -use_counters=0
   exit
 fi
 seconds=${1:-600}
@@ -48,5 +48,6 @@ targets=("${@:2}")
 [ ${#targets[@]} -gt 0 ] || targets=(case table frame checkpoint run_directory)
 for target in "${targets[@]}"; do
   mkdir -p $build/corpus/"$target"
-  fuzz "$target" $build/corpus/"$target" tests/fuzz/corpus/"$target" -max_total_time="$seconds"
+  fuzz "$target" $build/corpus/"$target" tests/fuzz/corpus/"$target" \
+    -max_total_time="$seconds" -len_control=0
 done
