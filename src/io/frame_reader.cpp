@@ -224,7 +224,7 @@ std::array<int, 3> FrameReader::cells() const {
     const auto most = static_cast<hsize_t>(std::numeric_limits<int>::max());
     if (count < 1 || count > static_cast<double>(bytes()) ||
         *std::max_element(n.begin(), n.end()) > most)
-      fail(fmt::format("dataset fluid/{} is damaged: {} cells", name, count));
+      fail(fmt::format("dataset fluid/{} is damaged: {:.3g} cells", name, count));
     return {static_cast<int>(n[2]), static_cast<int>(n[1]), static_cast<int>(n[0])};
   }
   fail("has no field of the water; it may be of another version");
