@@ -44,7 +44,7 @@ bool Hdf5File::failed(long long result) {
 }
 
 std::string Hdf5File::close() {
-  if (file_ >= 0) failed(H5Fclose(file_));
+  if (file_ >= 0 && failed(H5Fclose(file_))) hdf5_lost = true;
   file_ = -1;
   return reason_;
 }

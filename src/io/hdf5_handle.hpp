@@ -6,6 +6,10 @@
 
 namespace washtub {
 
+/// Whether the library has failed to close something, as on a full disk. It tries again at its own
+/// end, or that of MPI, and takes the process down with it: such a process must leave by _Exit.
+inline bool hdf5_lost = false;
+
 /// A handle of the HDF5 library, closed at the end of its scope.
 class Hdf5Handle {
  public:
@@ -17,7 +21,11 @@ class Hdf5Handle {
   Hdf5Handle& operator=(const Hdf5Handle&) = delete;
   operator hid_t() const { return id_; }
   /// Negative where that failed.
-  herr_t close() { return id_ >= 0 ? close_(std::exchange(id_, -1)) : 0; }
+  herr_t close() {
+    const herr_t result = id_ >= 0 ? close_(std::exchange(id_, -1)) : 0;
+    hdf5_lost = hdf5_lost || result < 0;
+    return result;
+  }
 
  private:
   hid_t id_;
