@@ -13,7 +13,7 @@ namespace washtub {
 /// Measured on the reference washes (largest after the start, h the longest edge of a cell):
 ///
 ///   | density omega_max r_o h / viscosity | grid scale, 2-D | 3-D  | speed / driving speed |
-///   |                             43 - 87 |            0.02 | 0.07 | 1.3 - 1.8             |
+///   |                             43 - 87 |            0.02 | 0.10 | 1.3 - 1.8             |
 ///   |                           430 - 870 |            0.07 | 0.26 | 2.1 - 2.4             |
 ///   |                         4300 - 8700 |            0.22 | 0.37 | 2.9 - 3.2             |
 ///   |                               87000 |                 | 0.39 | 3.9                   |
