@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -63,7 +64,18 @@ void History::open(int flags) {
   if (file_.id < 0) throw RunError(cannot_write(path_, errno));
 }
 
+/// Rows written to a file without a name would be lost without a word.
+void History::check_in_place() const {
+  struct ::stat opened, named;
+  if (::fstat(file_.id, &opened) != 0) throw RunError(cannot_write(path_, errno));
+  if (::stat(path_.c_str(), &named) != 0 || named.st_ino != opened.st_ino ||
+      named.st_dev != opened.st_dev)
+    throw RunError(
+        fmt::format("cannot write {}: it was removed or replaced while the run went on", path_));
+}
+
 void History::append(const std::string& line) {
+  check_in_place();
   const ::off_t before = ::lseek(file_.id, 0, SEEK_END);
   for (std::size_t done = 0; done < line.size();) {
     const ::ssize_t written = ::write(file_.id, line.data() + done, line.size() - done);

@@ -42,6 +42,7 @@ class History {
     int id = -1;
   };
   void open(int flags);
+  void check_in_place() const;
   void append(const std::string& line);
 
   std::string path_;

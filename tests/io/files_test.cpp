@@ -63,6 +63,19 @@ TEST(History, MissingDirectoryIsReported) {
               ThrowsMessage<RunError>(HasSubstr("/nowhere/history.csv: No such file")));
 }
 
+TEST(History, RemovedOrReplacedInMidRunIsReported) {
+  const Scratch dir;
+  const std::string path = dir / "history.csv";
+  History history(path, columns);
+  history.add(std::vector<double>{0.5, 1, 2});
+  std::filesystem::rename(path, dir / "away.csv");
+  const auto next = [&] { history.add(std::vector<double>{0.6, 1, 2}); };
+  EXPECT_THAT(next, ThrowsMessage<RunError>(
+                        HasSubstr(path + ": it was removed or replaced while the run went on")));
+  replace_file(path, "the text of an editor\n");
+  EXPECT_THAT(next, ThrowsMessage<RunError>(HasSubstr("removed or replaced")));
+}
+
 TEST(History, RowsMustFitTheColumns) {
   const Scratch dir;
   History history(dir / "history.csv", columns);
