@@ -164,7 +164,7 @@ int choose_ranks(const RunArguments& arguments, const Case& whole) {
 
 int command_run(RunArguments arguments) {
   settle_directory(arguments);
-  RunOptions options{arguments.directory, arguments.force, arguments.all, program_name, {}, {}};
+  RunOptions options{arguments.directory, arguments.force, arguments.all, program_name, {}, {}, {}};
   if (inside_mpi()) return simulate(arguments, options);
   const Case whole = read_case(arguments.input.path, arguments.input.settings);
   check_build(whole);

@@ -18,15 +18,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Keys that a run may change when it goes on: what it writes, and how long it runs.
-bool may_change(const std::string& key) {
+/// Keys that a run may change when it goes on: what it writes, how long it runs,
+bool is_output(const std::string& key) {
   return key == "title" || key == "time.end" || key.starts_with("output.") ||
          key.starts_with("checkpoint.");
 }
 
-Settings fixed_settings(const std::string& text, const std::string& name) {
+/// and what the reasons for which it gives up ask to change.
+bool is_remedy(const std::string& key) {
+  return key.starts_with("time.") || key.starts_with("solver.") || key == "coupling.strain_limit";
+}
+
+bool is_remedy_sentence(const std::string& sentence) {
+  return is_remedy(sentence.substr(0, sentence.find(' ')));
+}
+
+Settings physics(const std::string& text, const std::string& name) {
   Settings settings = settings_of(parse_text(text, name));
-  std::erase_if(settings, [](const auto& setting) { return may_change(setting.first); });
+  std::erase_if(settings, [](const auto& setting) { return is_output(setting.first); });
   return settings;
 }
 
@@ -50,15 +59,19 @@ bool window_may_change(const CheckpointLabel& label, const Case& whole) {
          t <= std::min(end, label.window_end);
 }
 
-void check_case(const std::string& checkpoint, const Case& whole) {
+/// Returns how the case differs from the checkpoint's, where it may.
+std::vector<std::string> check_case(const std::string& checkpoint, const Case& whole) {
   const CheckpointLabel label = read_label(checkpoint);
-  const auto differing = differences(fixed_settings(label.case_text, checkpoint),
-                                     fixed_settings(whole.resolved, "case"));
-  if (!differing.empty())
+  auto differing =
+      differences(physics(label.case_text, checkpoint), physics(whole.resolved, "case"));
+  const auto remedies = std::partition(differing.begin(), differing.end(),
+                                       [](const auto& s) { return !is_remedy_sentence(s); });
+  if (remedies != differing.begin())
     throw InputError(fmt::format(
-        "{}: is of another case: {}; only time.end, [output], [checkpoint] and the title may "
-        "change when a run goes on; to start another case from its water and cloth use --from",
-        checkpoint, fmt::join(differing, "; ")));
+        "{}: is of another case: {}; only [time], [output], [checkpoint], [solver], "
+        "coupling.strain_limit and the title may change when a run goes on; to start another case "
+        "from its water and cloth use --from",
+        checkpoint, fmt::join(differing.begin(), remedies, "; ")));
   if (!window_may_change(label, whole))
     throw InputError(fmt::format(
         "{}: its statistics are those of output.window = [\"{:.6g} s\", \"{:.6g} s\"] and cannot "
@@ -68,6 +81,7 @@ void check_case(const std::string& checkpoint, const Case& whole) {
   if (whole.time.end < label.time)
     throw InputError(fmt::format("{}: is at t = {:.6g} s, beyond time.end = \"{:.6g} s\"",
                                  checkpoint, label.time, whole.time.end));
+  return differing;
 }
 
 /// Whether a directory has nothing to go on from and no results of a complete run either.
@@ -105,7 +119,7 @@ DirectoryLock prepare_start(const RunArguments& arguments, const Case& whole, Ru
   }
   DirectoryLock lock(options.directory);
   options.resumed = newest_of(options.directory);
-  check_case(options.resumed, whole);
+  options.changes = check_case(options.resumed, whole);
   return lock;
 }
 

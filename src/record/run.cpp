@@ -19,6 +19,7 @@
 #include "record/progress.hpp"
 #include "record/schedule.hpp"
 #include "record/stop.hpp"
+#include "washer/watch.hpp"
 
 namespace washtub {
 namespace {
@@ -109,6 +110,7 @@ class Run {
     }
     StateReader(options_.resumed).value("run", *this);
     tell(fmt::format("going on from {} at t = {:.6g} s", options_.resumed, simulation_.time()));
+    for (const std::string& change : options_.changes) tell("before: " + change);
     const std::string lost = output_.go_on();
     if (!lost.empty()) tell(lost);
     clock_.start(simulation_.time());
@@ -159,28 +161,33 @@ class Run {
     return exit_stopped;
   }
 
-  /// A step; where it fails, those since the last row are done again with smaller ones. Where that
-  /// does not help the run ends, with a last row and frame of the state that failed, and with a
-  /// checkpoint of the last row's.
+  /// A step; where it fails, those since the last row are done again with smaller ones and more
+  /// cycles of the pressure solve. Where that does not help the run ends, with a last row and frame
+  /// of the state that failed, and with a checkpoint of the last row's.
   void step(double due) {
     try {
       observer_.watch(simulation_.step(due));
     } catch (const RunError& error) {
-      if (tries_left_ > 0 && !case_.time.fixed) return try_again(error.what());
+      const bool pressure = dynamic_cast<const PressureError*>(&error) != nullptr;
+      if (tries_left_ > 0 && (pressure || !case_.time.fixed))
+        return try_again(error.what(), pressure);
       give_up();
       throw;
     }
   }
 
-  void try_again(const std::string& reason) {
+  void try_again(const std::string& reason, bool pressure) {
     const double failed = simulation_.time();
     row_.put_back(*this);
     const double part = std::pow(share, tries - --tries_left_);
     simulation_.be_cautious(part);
     const std::string what =
         tries_left_ == tries - 1 ? reason : fmt::format("the same at t = {:.6g} s", failed);
-    tell(fmt::format("{}. Trying again from t = {:.6g} s with {:g} of the step", what,
-                     simulation_.time(), part));
+    std::vector<std::string> remedies;
+    if (pressure) remedies.push_back(fmt::format("{:g} times the cycles", 1 / (part * part)));
+    if (!case_.time.fixed) remedies.push_back(fmt::format("{:g} of the step", part));
+    tell(fmt::format("{}. Trying again from t = {:.6g} s with {}", what, simulation_.time(),
+                     fmt::join(remedies, " and ")));
   }
 
   void give_up() {

@@ -20,7 +20,7 @@ std::string remedy(const Case& whole) {
   const std::string grid = fmt::format(
       "more domain.cells than {} or a larger cloth.stretch_stiffness", fmt::join(cells, " x "));
   return whole.coupling.scheme == Scheme::implicit
-             ? grid + "; a smaller time.step does not help"
+             ? grid + "; a smaller time.step seldom helps"
              : "a smaller time.step, coupling.scheme = \"implicit\", " + grid;
 }
 
@@ -30,7 +30,7 @@ std::string overstrained(const WorstEdge& edge, const Case& whole) {
   const double limit = whole.coupling.strain_limit;
   const bool longer = edge.strain > 0;
   return fmt::format(
-      "piece {} of the cloth is {} by {:.1f} % at {}, limit {:.1f} % "
+      "piece {} of the cloth is {} by {:.3g} % at {}, limit {:.3g} % "
       "(coupling.strain_limit = {}); try {}",
       edge.piece + 1, longer ? "stretched" : "shortened", 100 * std::abs(edge.elongation()),
       node_text(edge, whole.dimension), 100 * std::abs(elongation(longer ? limit : -limit)), limit,

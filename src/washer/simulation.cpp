@@ -161,6 +161,12 @@ double Simulation<D>::choose_step(double latest) {
   return even;
 }
 
+/// Of the pressure solve in this step.
+template <int D>
+int Simulation<D>::most_cycles() const {
+  return static_cast<int>(std::lround(case_.solver.max_cycles / (caution_ * caution_)));
+}
+
 template <int D>
 void Simulation<D>::move_solids(double dt) {
   const auto change = mapping_.update(last_.time + dt);
@@ -179,9 +185,7 @@ template <int D>
 void Simulation<D>::move_cloth_and_water(double dt) {
   flow_.predict(dt);                 // Eq. (1) without pressure and cloth
   if (coupling_) coupling_->push();  // cloth solve; f = S F, Eq. (3)
-  const auto project = [&] {
-    return flow_.project(case_.solver.divergence, case_.solver.max_cycles);
-  };
+  const auto project = [&] { return flow_.project(case_.solver.divergence, most_cycles()); };
   auto flow = project();                                     // Eq. (2)
   while (coupling_ && coupling_->again()) flow = project();  // with the force of a better X^n+1
   if (coupling_) last_.cloth = coupling_->move();            // dX/dt = U, Eqs. (5), (6)
@@ -275,7 +279,10 @@ void Simulation<D>::watch() const {
                         .strain = last_.cloth.largest_strain,
                         .slip = last_.cloth.slip,
                         .driving_speed = driving_speed_};
-  if (const auto trouble = find_trouble(step, flow_, cloth_, case_)) throw RunError(trouble->text);
+  const auto trouble = find_trouble(step, flow_, cloth_, case_);
+  if (!trouble) return;
+  if (trouble->kind == TroubleKind::pressure) throw PressureError(trouble->text);
+  throw RunError(trouble->text);
 }
 
 template class Simulation<2>;

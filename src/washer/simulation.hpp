@@ -37,7 +37,8 @@ class Simulation {
 
   /// All that goes on from step to step (collective).
   void state(Archive& archive);
-  /// The next steps are at most `share` of what they would be; that wears off over a hundred steps.
+  /// The next steps are at most `share` of what they would be, where their length is not fixed, and
+  /// the pressure solve may take 1 / share^2 as many cycles; that wears off over a hundred steps.
   void be_cautious(double share) { caution_ = share; }
 
   struct Step {
@@ -53,7 +54,8 @@ class Simulation {
     int flips = 0;  ///< 1 if a face opened or closed in this step
   };
   /// One step, ending at `latest` at the latest unless its length is fixed.
-  /// @throws RunError when the state makes no sense any more; it is left as it is for a last look
+  /// @throws RunError when the state makes no sense any more, PressureError where it is the
+  /// pressure solve that failed; the state is left as it is for a last look
   const Step& step(double latest);
 
   /// Whether the state is made of numbers still: no NaN or infinity in water or cloth.
@@ -80,6 +82,7 @@ class Simulation {
   double start_rate() const;
   double start_step() const;
   double choose_step(double latest);
+  int most_cycles() const;
   void move_solids(double dt);
   void move_cloth_and_water(double dt);
   void record_impulses(double dt);

@@ -2,6 +2,7 @@
 #include <optional>
 #include <string>
 
+#include "base/error.hpp"
 #include "case/case.hpp"
 #include "cloth/cloth.hpp"
 #include "flow/flow.hpp"
@@ -33,6 +34,12 @@ struct StepHealth {
 };
 
 enum class TroubleKind { not_finite, pressure, courant, strain, slip, speed };
+
+/// The pressure solve is what keeps a run from going on: more cycles may help.
+class PressureError : public RunError {
+ public:
+  using RunError::RunError;
+};
 
 /// Why a run cannot go on, in one paragraph: when, what, where, measured, allowed, what to try.
 struct Trouble {

@@ -13,6 +13,12 @@ run "$work/parts" -n 1 --resume --set 'time.end=80 ms' --set 'output.window=["20
   --set 'output.window=["20 ms", "120 ms"]' >>"$work/parts.out" 2>&1 || fail "by its directory"
 same_results "$work/whole" "$work/parts"
 
+# What helps a run that gave up may change, and is told.
+run "$work/parts" -n 1 --resume --set 'time.end=124 ms' --set 'output.window=["20 ms", "120 ms"]' \
+  --set solver.max_cycles=90 || fail "with more cycles"
+expect_text "$work/parts.out" "washtub: before: solver.max_cycles = 60, here 90"
+expect_text "$work/parts/log.txt" "before: solver.max_cycles = 60, here 90"
+
 # Another case is refused with the difference; as a start of its own run it is welcome.
 expect_code 2 run "$work/whole" -n 1 --resume --set 'fluid.viscosity=2 Pa s'
 expect_text "$work/whole.out" 'is of another case: fluid.viscosity = "1 Pa s", here "2 Pa s"'
