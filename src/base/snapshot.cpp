@@ -5,9 +5,9 @@
 namespace washtub {
 
 void Snapshot::Taker::list(const std::string&, Number kind, void* data, std::size_t count) {
-  const std::size_t size = count * size_of(kind), end = bytes_.size();
-  bytes_.resize(end + size);
-  if (size > 0) std::memcpy(bytes_.data() + end, data, size);
+  const std::size_t size = count * size_of(kind);
+  if (size > 0 && at_ + size <= bytes_.size()) std::memcpy(bytes_.data() + at_, data, size);
+  at_ += size;
 }
 
 std::size_t Snapshot::Taker::length(const std::string& path, std::size_t now) {

@@ -6,15 +6,19 @@
 
 namespace washtub {
 
-/// The state of an object in this rank's memory, to go back to. Takes no more memory after its
-/// first use.
+/// The state of an object in this rank's memory, to go back to. Takes as much memory as there is to
+/// save, at its first use.
 class Snapshot {
  public:
   template <class T>
   void take(T& object) {
-    bytes_.clear();
-    Taker taker(bytes_);
-    taker.value("", object);
+    std::size_t needed = bytes_.size();
+    do {
+      if (needed > bytes_.size()) bytes_ = Bytes(), bytes_.resize(needed);
+      Taker taker(bytes_);
+      taker.value("", object);
+      needed = taker.size();
+    } while (needed > bytes_.size());
   }
   /// On return the object is as it was when take() saw it.
   template <class T>
@@ -38,11 +42,14 @@ class Snapshot {
       list(path, kind, data, part.values());
     }
     Bytes& bytes_;
+    std::size_t at_ = 0;
   };
+  /// Counts what it has no room for.
   class Taker final : public Memory {
    public:
     using Memory::Memory;
     bool reading() const override { return false; }
+    std::size_t size() const { return at_; }
 
    private:
     void list(const std::string& path, Number kind, void* data, std::size_t count) override;
@@ -56,7 +63,6 @@ class Snapshot {
    private:
     void list(const std::string& path, Number kind, void* data, std::size_t count) override;
     std::size_t length(const std::string& path, std::size_t now) override;
-    std::size_t at_ = 0;
   };
 
   Bytes bytes_;

@@ -105,7 +105,8 @@ void FrameReader::fail(const std::string& what) const {
 double FrameReader::attribute(const std::string& name) const {
   const Hdf5Handle found(H5Aopen(file_, name.c_str(), H5P_DEFAULT), H5Aclose);
   double value = 0;
-  if (found < 0 || !is_single(found) || H5Aread(found, H5T_NATIVE_DOUBLE, &value) < 0)
+  if (found < 0 || !is_single(found) || !is_number({H5Aget_type(found), H5Tclose}) ||
+      H5Aread(found, H5T_NATIVE_DOUBLE, &value) < 0)
     fail(fmt::format("has no \"{}\"; it may be of another version", name));
   return value;
 }
@@ -140,6 +141,8 @@ std::vector<T> FrameReader::values(const std::string& name, hid_t type) const {
     fail(fmt::format("dataset {} is damaged: larger than its file", name));
   std::vector<T> out(static_cast<std::size_t>(count));
   const Hdf5Handle dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (!is_number({H5Dget_type(dataset), H5Tclose}))
+    fail(fmt::format("dataset {} does not hold numbers", name));
   if (!out.empty() && H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, out.data()) < 0)
     fail(fmt::format("dataset {} cannot be read ({})", name, hdf5_error()));
   return out;

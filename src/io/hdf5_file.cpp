@@ -6,8 +6,6 @@
 #include <functional>
 #include <numeric>
 
-#include "io/hdf5_handle.hpp"
-
 namespace washtub {
 namespace {
 
@@ -29,11 +27,21 @@ std::string hdf5_error() {
   return text.empty() ? "HDF5 failed" : text;
 }
 
+Hdf5Handle shared_access(MPI_Comm comm) {
+  Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_fapl_mpio(access, comm, MPI_INFO_NULL);
+  H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_LATEST);  // the first with checksums
+  return access;
+}
+
+bool is_number(Hdf5Handle type) {
+  const H5T_class_t kind = H5Tget_class(type);
+  return (kind == H5T_INTEGER || kind == H5T_FLOAT) && H5Tget_size(type) <= sizeof(double);
+}
+
 Hdf5File::Hdf5File(const std::string& path, MPI_Comm comm) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_fapl_mpio(access, comm, MPI_INFO_NULL);
-  file_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+  file_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, shared_access(comm));
   failed(file_);
 }
 

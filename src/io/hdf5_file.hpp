@@ -7,8 +7,12 @@
 #include <vector>
 
 #include "io/field.hpp"
+#include "io/hdf5_handle.hpp"
 
 namespace washtub {
+
+/// Access to a file that all ranks write together, its structure guarded by checksums.
+Hdf5Handle shared_access(MPI_Comm comm);
 
 /// The part of a dataset that one rank writes: `count` entries from `offset` along each dimension,
 /// slowest first. A count of zero writes nothing but still takes part.

@@ -32,6 +32,10 @@ class Hdf5Handle {
   herr_t (*close_)(hid_t);
 };
 
+/// Whether values of a type, which is closed, are numbers. In a damaged file they may be of any
+/// size, and the library takes memory for them.
+bool is_number(Hdf5Handle type);
+
 /// What the library says of the innermost cause of its last failure.
 std::string hdf5_error();
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "base/error.hpp"
+#include "io/hdf5_file.hpp"
 
 namespace washtub {
 namespace {
@@ -40,12 +41,6 @@ herr_t select(hid_t space, const Triple& offset, const Triple& count) {
   std::copy(offset.begin(), offset.end(), from.begin());
   std::copy(count.begin(), count.end(), n.begin());
   return H5Sselect_hyperslab(space, H5S_SELECT_SET, from.data(), nullptr, n.data(), nullptr);
-}
-
-Hdf5Handle shared_access(MPI_Comm comm) {
-  Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_fapl_mpio(access, comm, MPI_INFO_NULL);
-  return access;
 }
 
 Hdf5Handle create(const std::string& path, MPI_Comm comm, std::size_t reserved) {
@@ -125,6 +120,8 @@ void StateReader::check(long long result, const std::string& path) const {
 Hdf5Handle StateReader::dataset(const std::string& path) const {
   Hdf5Handle dataset(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose);
   if (dataset < 0) throw InputError(fmt::format("cannot read {}: it has no {}", path_, path));
+  if (!is_number({H5Dget_type(dataset), H5Tclose}))
+    throw InputError(fmt::format("cannot read {}: {} does not hold numbers", path_, path));
   return dataset;
 }
 
