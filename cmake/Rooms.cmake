@@ -1,11 +1,16 @@
-# Headers that most files include, read once instead of in every file.
+# Headers that most files include, read once instead of in every file; those of tests have more.
 file(WRITE ${CMAKE_BINARY_DIR}/headers.cpp.new "")
 file(COPY_FILE ${CMAKE_BINARY_DIR}/headers.cpp.new ${CMAKE_BINARY_DIR}/headers.cpp ONLY_IF_DIFFERENT)
-add_library(washtub_headers OBJECT ${CMAKE_BINARY_DIR}/headers.cpp)
-target_link_libraries(washtub_headers PRIVATE washtub_libraries washtub_compiler)
-target_precompile_headers(washtub_headers PRIVATE
-  <Eigen/Dense> <fmt/format.h> <fmt/ranges.h> <algorithm> <array> <cmath> <functional> <map>
-  <memory> <optional> <span> <string> <vector>)
+function(washtub_headers name)
+  add_library(${name} OBJECT ${CMAKE_BINARY_DIR}/headers.cpp)
+  target_link_libraries(${name} PRIVATE washtub_libraries washtub_compiler)
+  target_precompile_headers(${name} PRIVATE
+    <Eigen/Dense> <fmt/format.h> <fmt/ranges.h> <algorithm> <array> <cmath> <functional> <map>
+    <memory> <optional> <span> <string> <vector> ${ARGN})
+endfunction()
+washtub_headers(washtub_headers)
+washtub_headers(washtub_test_headers <gmock/gmock.h> <gtest/gtest.h>)
+target_link_libraries(washtub_test_headers PRIVATE GTest::gtest GTest::gmock)
 
 # A room is a folder of src/ that becomes the static library washtub_<room>.
 # `washtub_room(flow DEPENDS grid)` also says which way its includes may point.
@@ -42,7 +47,7 @@ function(washtub_tests room)
   add_executable(test_${room} ${sources} ${CMAKE_SOURCE_DIR}/tests/main.cpp)
   target_link_libraries(test_${room} PRIVATE washtub_${room} ${ARG_WITH} washtub_compiler GTest::gtest GTest::gmock)
   target_include_directories(test_${room} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
-  target_precompile_headers(test_${room} REUSE_FROM washtub_headers)
+  target_precompile_headers(test_${room} REUSE_FROM washtub_test_headers)
   set(quick --gtest_filter=-Verification*)
   if(WASHTUB_SANITIZE)
     set(filter ${quick})

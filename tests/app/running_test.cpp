@@ -118,7 +118,7 @@ TEST_F(Running, GoesOnWithoutItsTerminalUnderNohup) {
 
 TEST_F(Running, SaysThatItsReportCannotBeWritten) {
   for (const int ranks : {1, 2}) {
-    begin(ranks, "", ranks == 1 ? "200 s" : "20 s");
+    begin(ranks, "", ranks == 1 ? "50 s" : "20 s");
     fs::create_directories(folder / "out" / "report.html");
     EXPECT_EQ(end(), 3);
     std::ifstream console(folder / "console.txt");

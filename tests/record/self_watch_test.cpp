@@ -95,7 +95,7 @@ TEST(SelfWatch, CountsCrossings) {
 }
 
 /// Drive, cloth and turning fins: the balance closes but for what the scheme takes.
-TEST(SelfWatch, ClosesTheBalanceOfAWash) {
+TEST(VerificationSelfWatch, ClosesTheBalanceOfAWash) {
   const Case whole = read_case("cases/wash-3d/case.toml",
                                {"domain.cells=24", "cloth.count=4", "cloth.nodes=[5, 5]"});
   Simulation<3> simulation(whole, Parallel());

@@ -72,7 +72,7 @@ TEST(Resolution, IsForeseen) {
 
 /// Water as thin as it really is on a coarse grid turns into noise within a stroke; a thousand
 /// times as thick it does not.
-TEST(Resolution, TellsRealWaterOnACoarseGrid) {
+TEST(VerificationResolution, TellsRealWaterOnACoarseGrid) {
   const auto worst = [](const std::string& viscosity) {
     const Case whole = read_case(
         "cases/wash-3d/case.toml",
