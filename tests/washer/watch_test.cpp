@@ -98,7 +98,7 @@ TEST(Watch, NamesClothThatIsStrained) {
   tank.cloth.position[20 + 9][0] += 0.03;  // node (4, 1) of the second piece
   EXPECT_THAT(tank.look(),
               StartsWith("step 8123, t = 0.412 s: piece 2 of the cloth is stretched by "
-                         "30.0 % at node (3, 1)"));
+                         "30 % at node (3, 1)"));
 }
 
 TEST(Watch, NamesSlip) {
