@@ -7,7 +7,6 @@
 #include "case/case.hpp"
 #include "case/description.hpp"
 #include "case/groups.hpp"
-#include "case/resolution.hpp"
 #include "washer/build.hpp"
 #include "washer/resolution.hpp"
 
@@ -62,8 +61,7 @@ int command_check(const CaseArguments& arguments) {
   print_memory(whole);
   print_groups(whole);
   for (const std::string& note : whole.notes) print_line("note", note);
-  for (const std::string& doubt : unresolved(whole)) print_line("warning", doubt);
-  if (const auto doubt = foresee_unresolved(whole)) print_line("warning", *doubt);
+  for (const std::string& doubt : doubts(whole)) print_line("warning", doubt);
   return 0;
 }
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/protect.hpp"
 #include "case/case.hpp"
 #include "cloth/modes.hpp"
 #include "io/file.hpp"
@@ -48,6 +49,7 @@ int command_modes(const ModesArguments& arguments) {
                                         : print_modes<2>(whole, arguments.count);
   if (all.empty()) fmt::print("no cloth that vibrates\n");
   if (arguments.file.empty()) return 0;
+  protect_modes(arguments.file);
   const nlohmann::ordered_json out = {{"frequencies [Hz]", all}};
   replace_file(arguments.file, out.dump(2) + "\n");
   return 0;

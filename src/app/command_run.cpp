@@ -17,6 +17,7 @@
 #include "record/run.hpp"
 #include "record/stop.hpp"
 #include "washer/build.hpp"
+#include "washer/resolution.hpp"
 
 namespace washtub {
 namespace {
@@ -104,6 +105,7 @@ int without_report(int code) { return code == exit_done ? exit_no_report : code;
 
 void print_notes(const Case& whole) {
   for (const std::string& note : whole.notes) fmt::print(stderr, "note: {}\n", note);
+  for (const std::string& doubt : doubts(whole)) fmt::print(stderr, "warning: {}\n", doubt);
 }
 
 /// One rank of the simulation. Ranks that command_run has launched leave the report to it, since

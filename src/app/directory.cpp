@@ -52,6 +52,14 @@ void remove_results(const std::string& directory) {
 
 }  // namespace
 
+void remove_unfinished(const std::string& directory) {
+  for (const char* folder : {"", "frames", "checkpoints"}) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(fs::path(directory) / folder, error))
+      if (entry.path().extension() == ".part") fs::remove(entry.path(), error);
+  }
+}
+
 DirectoryLock prepare_directory(const std::string& directory, bool force) {
   std::error_code error;
   if (fs::exists(directory, error) && !fs::is_directory(directory, error))
@@ -63,9 +71,10 @@ DirectoryLock prepare_directory(const std::string& directory, bool force) {
   DirectoryLock lock(directory);
   if (!lock.note().empty()) fmt::print(stderr, "washtub: {}\n", lock.note());
   if (!force && holds_files(directory))
-    throw InputError(fmt::format(
-        "{}: holds results already; name another directory with -o, or overwrite them with --force",
-        directory));
+    throw InputError(
+        fmt::format("{}: holds files already; name another directory with -o, or overwrite results "
+                    "with --force",
+                    directory));
   remove_results(directory);
   return lock;
 }

@@ -24,13 +24,13 @@ namespace washtub {
 namespace {
 
 volatile std::sig_atomic_t launcher = 0;  ///< process id of mpirun
-volatile std::sig_atomic_t told = 0;      ///< whether we were asked to stop
+volatile std::sig_atomic_t ended = 0;     ///< signal that was to end the run at once
 
 /// mpirun would kill the ranks on SIGINT, but hands SIGUSR1 on to them.
 void pass_on(int signal) {
   static SignalCounter counter;
-  told = 1;
-  const int passed = counter.is_second(signal) ? SIGTERM : SIGUSR1;
+  if (counter.is_second(signal)) ended = signal;
+  const int passed = ended != 0 ? SIGTERM : SIGUSR1;
   if (launcher > 0) kill(static_cast<pid_t>(launcher), passed);
 }
 
@@ -72,8 +72,8 @@ int wait_for(pid_t child) {
   int status = 0;
   while (waitpid(child, &status, 0) < 0)
     if (errno != EINTR) throw RunError(fmt::format("mpirun: {}", std::strerror(errno)));
-  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 1;
-  return told && code != 0 ? exit_stopped : code;
+  if (ended != 0) return 128 + ended;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
 }
 
 }  // namespace

@@ -35,6 +35,15 @@ bool is_movie(const std::string& path) {
   return file.gcount() == 8 && std::string_view(head.data() + 4, 4) == "ftyp";
 }
 
+/// Whether the file begins as that of `washtub modes`.
+bool is_modes(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 64> head{};
+  file.read(head.data(), head.size());
+  return std::string_view(head.data(), static_cast<std::size_t>(file.gcount()))
+             .find("\"frequencies [Hz]\"") != std::string_view::npos;
+}
+
 void protect(const std::string& path, bool (*is_ours)(const std::string&), const char* kind) {
   std::error_code error;
   if (!fs::exists(path, error)) return;
@@ -49,5 +58,7 @@ void protect(const std::string& path, bool (*is_ours)(const std::string&), const
 void protect_page(const std::string& path) { protect(path, is_page, "page of washtub"); }
 
 void protect_movie(const std::string& path) { protect(path, is_movie, "MP4 movie"); }
+
+void protect_modes(const std::string& path) { protect(path, is_modes, "file of washtub modes"); }
 
 }  // namespace washtub

@@ -9,4 +9,7 @@ void protect_page(const std::string& path);
 /// @throws InputError where something stands at the path that is no MP4 movie
 void protect_movie(const std::string& path);
 
+/// The same of what `washtub modes` writes.
+void protect_modes(const std::string& path);
+
 }  // namespace washtub

@@ -16,12 +16,18 @@ enum class Number { real64, real32, int64, int32, byte };
 
 template <class T>
 constexpr Number number_of() {
-  if constexpr (std::is_same_v<T, double>) return Number::real64;
-  if constexpr (std::is_same_v<T, float>) return Number::real32;
-  if constexpr (std::is_same_v<T, long>) return Number::int64;
-  if constexpr (std::is_same_v<T, int>) return Number::int32;
-  static_assert(std::is_arithmetic_v<T>);
-  return Number::byte;
+  if constexpr (std::is_same_v<T, double>) {
+    return Number::real64;
+  } else if constexpr (std::is_same_v<T, float>) {
+    return Number::real32;
+  } else if constexpr (std::is_same_v<T, long>) {
+    return Number::int64;
+  } else if constexpr (std::is_same_v<T, int>) {
+    return Number::int32;
+  } else {
+    static_assert(std::is_arithmetic_v<T> && sizeof(T) == 1, "no archive holds such numbers");
+    return Number::byte;
+  }
 }
 
 constexpr std::size_t size_of(Number kind) {

@@ -11,6 +11,7 @@ namespace {
 constexpr double thin = 2;           // cells that a part of a solid should be thick
 constexpr double narrow = 4;         // cells of the delta functions, so of cloth in a gap
 constexpr double share = 0.02;       // of a surface, below which an edge or a corner is not meant
+constexpr int fewest_places = 48;    // along an axis, at which surfaces are looked for
 constexpr double stride = 1.0 / 16;  // along a ray, in cells
 
 double psi(const SolidCase& solid, const Vec<3>& x) { return solid.shape.psi(x - solid.centre); }
@@ -48,15 +49,22 @@ class Resolution {
 
  private:
   /// Calls visit(point of the surface inside the box, unit vector into the solid), about once per
-  /// cell of surface.
+  /// cell of surface, more often where the grid is coarse.
   template <class Visit>
   void for_surface(const SolidCase& solid, Visit&& visit) const {
-    const auto& cells = whole_.domain.cells;
-    const double h = h_.maxCoeff();
+    std::array<int, 3> cells = whole_.domain.cells;
+    Vec<3> spacing = Vec<3>::Zero();
+    for (int axis = 0; axis < whole_.dimension; ++axis) {
+      auto& n = cells[static_cast<std::size_t>(axis)];
+      n = std::max(n, fewest_places);
+      spacing[axis] = whole_.domain.size[axis] / n;
+    }
+    const double h = spacing.maxCoeff();
     for (int k = 0; k < (whole_.dimension == 3 ? cells[2] : 1); ++k)
       for (int j = 0; j < cells[1]; ++j)
         for (int i = 0; i < cells[0]; ++i) {
-          const Vec<3> x = whole_.domain.lower + h_.cwiseProduct(Vec<3>(i + 0.5, j + 0.5, k + 0.5));
+          const Vec<3> x =
+              whole_.domain.lower + spacing.cwiseProduct(Vec<3>(i + 0.5, j + 0.5, k + 0.5));
           const double depth = psi(solid, x);
           if (std::abs(depth) > h) continue;
           const Vec<3> n = inward(solid, x, h, whole_.dimension);
@@ -100,7 +108,7 @@ class Resolution {
     found.push_back(
         fmt::format("{} about {:.1f} cells {}, at least {:g} are resolved; try {:.1f} "
                     "times as many domain.cells",
-                    what, *middle, measured, least, least / *middle));
+                    what, *middle, measured, least, std::ceil(10 * least / *middle) / 10));
   }
 
   const Case& whole_;

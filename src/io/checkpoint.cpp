@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <string_view>
 
 #include "base/error.hpp"
 #include "io/agree.hpp"
@@ -19,7 +20,15 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kind = "checkpoint";
-constexpr int version = 1;  ///< of the names and meanings of what a checkpoint holds
+
+/// Whether a file name is checkpoint_<digits>.h5.
+bool is_ours(std::string_view name) {
+  constexpr std::string_view head = "checkpoint_", tail = ".h5";
+  if (!name.starts_with(head) || !name.ends_with(tail)) return false;
+  name.remove_prefix(head.size());
+  name.remove_suffix(tail.size());
+  return !name.empty() && name.find_first_not_of("0123456789") == std::string_view::npos;
+}
 
 /// Bytes that a state takes in a file.
 class Size final : public Archive {
@@ -75,18 +84,18 @@ void Checkpoints::write(CheckpointLabel label, const Parallel& parallel,
 }
 
 void Checkpoints::publish(const std::string& path) const {
-  seal_file(path + ".part", kind, version);
+  seal_file(path + ".part", kind, checkpoint_version);
   publish_file(path);
-  const std::vector<std::string> all = list();
-  for (std::size_t i = static_cast<std::size_t>(keep_); i < all.size(); ++i)
-    std::remove(all[i].c_str());
+  int older = 0;
+  for (const std::string& other : list())
+    if (other > path || (other < path && ++older >= keep_)) std::remove(other.c_str());
 }
 
 std::vector<std::string> Checkpoints::list() const {
   std::vector<std::string> paths;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder_, error))
-    if (entry.path().extension() == ".h5") paths.push_back(entry.path().string());
+    if (is_ours(entry.path().filename().string())) paths.push_back(entry.path().string());
   std::sort(paths.begin(), paths.end(), std::greater<>());
   return paths;
 }
@@ -100,10 +109,10 @@ std::string Checkpoints::newest(std::vector<std::string>& damaged) const {
     }
   std::string text = fmt::format("{}: holds no checkpoint to go on from", folder_);
   if (!damaged.empty()) text = fmt::format("{}; {}", text, fmt::join(damaged, "; "));
-  throw InputError(text + "; start anew with --force");
+  throw InputError(text);
 }
 
-void check_checkpoint(const std::string& path) { check_seal(path, kind, version); }
+void check_checkpoint(const std::string& path) { check_seal(path, kind, checkpoint_version); }
 
 CheckpointLabel read_label(const std::string& path) {
   check_checkpoint(path);

@@ -8,6 +8,9 @@
 
 namespace washtub {
 
+/// Of the names and meanings of what a checkpoint holds.
+inline constexpr int checkpoint_version = 2;
+
 /// What a checkpoint tells of the run that wrote it.
 struct CheckpointLabel {
   std::string program;    ///< name and version
@@ -20,8 +23,8 @@ struct CheckpointLabel {
 };
 
 /// The checkpoints of a run, DIR/checkpoints/checkpoint_<step>.h5: HDF5 files behind a seal. Each
-/// is written under a temporary name, sealed, synced and renamed; then the oldest are removed until
-/// `keep` are left.
+/// is written under a temporary name, sealed, synced and renamed; then those of later steps, which
+/// the run has left, are removed, and the oldest until `keep` are left.
 class Checkpoints {
  public:
   Checkpoints(const std::string& directory, int keep)

@@ -81,6 +81,7 @@ void FrameWriter::resume(int frames) {
     const std::istreambuf_iterator<char> begin(file), end;
     index_.restore(std::string(begin, end), static_cast<std::size_t>(frames));
     frames_ = static_cast<int>(index_.frames());
+    if (file.is_open()) replace_file(directory_ + "/frames.xdmf", index_.text());
     std::error_code ignored;
     for (int n = frames_; fs::remove(path(n), ignored); ++n)
       ;

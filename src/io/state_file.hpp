@@ -14,7 +14,7 @@ namespace washtub {
 class StateWriter final : public Archive {
  public:
   /// Starts the file with `reserved` bytes (a power of two from 512) left for the caller.
-  /// @throws RunError, on all ranks, where it cannot be made
+  /// Where it cannot be made close() says so.
   StateWriter(const std::string& path, MPI_Comm comm, std::size_t reserved);
   bool reading() const override { return false; }
   /// Closes the file; the reason of the first failure on this rank, empty if there was none.

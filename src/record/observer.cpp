@@ -29,13 +29,18 @@ template <int D>
 Observer<D>::Observer(Simulation<D>& simulation)
     : simulation_(simulation),
       axis_(turning_axis(simulation.mapping().solids())),
-      statistics_(static_cast<std::size_t>(simulation.cloth().pieces()),
-                  window(simulation.definition()), simulation.definition().scale.period, axis_),
+      statistics_(no_statistics()),
       sampled_(simulation.time()),
       self_watch_(simulation) {
   if (simulation.definition().exact) exact_.emplace(*simulation.definition().exact);
   const auto n = simulation.cloth().position.size();
   for (auto* v : {&membrane_, &bending_, &total_}) v->resize(n);
+}
+
+template <int D>
+ClothStatistics Observer<D>::no_statistics() const {
+  const Case& c = simulation_.definition();
+  return {static_cast<std::size_t>(simulation_.cloth().pieces()), window(c), c.scale.period, axis_};
 }
 
 template <int D>
@@ -220,6 +225,9 @@ void Observer<D>::state(Archive& archive) {
   archive.value("extremes", extremes_);
   archive.value("sampled", sampled_);
   archive.value("self-watch", self_watch_);
+  // What was collected was over the window then, which may have been another one.
+  if (archive.reading() && window(simulation_.definition()).begin >= sampled_)
+    statistics_ = no_statistics();
 }
 
 template class Observer<2>;

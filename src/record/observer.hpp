@@ -36,6 +36,7 @@ class Observer {
 
  private:
   double least_speed() const;
+  ClothStatistics no_statistics() const;
   StepSample observe_step() const;
   QualitySample observe_quality(const std::vector<SolidSample>& solids);
   SolidSample observe_solid(std::size_t solid, double time);

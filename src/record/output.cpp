@@ -1,11 +1,13 @@
 #include "record/output.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
+#include "io/agree.hpp"
 #include "io/file.hpp"
 #include "io/summary.hpp"
 #include "io/table.hpp"
@@ -51,16 +53,28 @@ void Output<D>::start() {
 
 template <int D>
 std::string Output<D>::go_on() {
-  frames_.resume(frames_before_);
-  if (!simulation_.grid().parallel().root()) return {};
-  history_ =
-      std::make_unique<History>(directory_ + "/history.csv", header(history_columns_), rows_);
-  if (!track_columns_.empty())
-    tracks_ = std::make_unique<History>(directory_ + "/tracks.csv", header(track_columns_), rows_);
-  if (history_->rows() == rows_ && frames_.frames() == frames_before_) return {};
-  return fmt::format("{} of {} rows and {} of {} frames were lost with the interrupted run",
-                     rows_ - history_->rows(), rows_, frames_before_ - frames_.frames(),
-                     frames_before_);
+  std::vector<std::string> lost;
+  const auto count = [&](int& before, int now, const std::string& what) {
+    if (now != before) lost.push_back(fmt::format("{} of {} {}", before - now, before, what));
+    before = now;
+  };
+  frames_.resume(frame_count_);
+  count(frame_count_, frames_.frames(), "frames");
+  const Parallel& parallel = simulation_.grid().parallel();
+  const auto open = [&](const char* name, const std::vector<RecordColumn>& columns, int& rows) {
+    std::unique_ptr<History> file;
+    if (parallel.root())
+      file = std::make_unique<History>(fmt::format("{}/{}.csv", directory_, name), header(columns),
+                                       rows);
+    int left = file ? static_cast<int>(file->rows()) : 0;
+    MPI_Bcast(&left, 1, MPI_INT, 0, parallel.comm());
+    count(rows, left, fmt::format("rows of {}.csv", name));
+    return file;
+  };
+  history_ = open("history", history_columns_, rows_);
+  if (!track_columns_.empty()) tracks_ = open("tracks", track_columns_, track_rows_);
+  if (lost.empty()) return {};
+  return fmt::format("{} are missing", fmt::join(lost, ", "));
 }
 
 template <int D>
@@ -76,17 +90,23 @@ std::string Output<D>::sync() const {
 
 template <int D>
 void Output<D>::state(Archive& archive) {
-  int frames = frames_.frames();
   archive.value("rows", rows_);
-  archive.value("frames", frames);
-  if (archive.reading()) frames_before_ = frames;
+  archive.value("rows of tracks", track_rows_);
+  archive.value("frames", frame_count_);
 }
 
 template <int D>
 void Output<D>::add_row(const Sample& sample) {
+  std::string reason;
+  try {
+    if (history_) history_->add(row(history_columns_, sample));
+    if (tracks_) tracks_->add(row(track_columns_, sample));
+  } catch (const RunError& error) {
+    reason = error.what();
+  }
+  agree(simulation_.grid().parallel(), reason);
   ++rows_;
-  if (history_) history_->add(row(history_columns_, sample));
-  if (tracks_) tracks_->add(row(track_columns_, sample));
+  if (!track_columns_.empty()) ++track_rows_;
 }
 
 /// Values of this rank's cells.
@@ -163,6 +183,7 @@ void Output<D>::add_frame() {
   for (const auto& s : simulation_.mapping().solids())
     frame.solids.push_back({s.name, s.drive.angle(frame.time)});
   frames_.write(frame);
+  ++frame_count_;
 }
 
 template <int D>

@@ -27,7 +27,9 @@ class Output {
   /// Rows and frames so far.
   void state(Archive& archive);
 
-  void add_row(const Sample& sample);  ///< to history.csv and tracks.csv
+  /// A row of history.csv and of tracks.csv (collective).
+  /// @throws RunError with path and reason, on all ranks
+  void add_row(const Sample& sample);
   /// Collective. @throws RunError where the water is not finite, or the frame cannot be written
   void add_frame();
   /// `outcome`: "complete", "stopped" or the reason of a failure.
@@ -42,9 +44,8 @@ class Output {
   const Observer<D>& observer_;
   std::string directory_;
   std::vector<RecordColumn> history_columns_, track_columns_;
-  std::unique_ptr<History> history_, tracks_;  ///< on rank 0
-  long rows_ = 0;
-  int frames_before_ = 0;  ///< that a run to go on from had written
+  std::unique_ptr<History> history_, tracks_;        ///< on rank 0
+  int rows_ = 0, track_rows_ = 0, frame_count_ = 0;  ///< that belong to the state of the run
   FrameWriter frames_;
   std::vector<std::vector<float>> water_;  ///< this rank's cells, of each of water_fields()
 };

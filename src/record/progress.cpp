@@ -41,9 +41,10 @@ bool Progress::show(double time, const std::string& state) {
   if (!shown_ || spent < next_) return false;
   next_ = spent + (terminal_ ? 0.5 : 10);
   const double share = time / end_;
-  const std::string left = share > 0 ? clock(spent / share * (1 - share)) : "?";
-  tell(fmt::format("{}t {:.4g} of {:.4g} s ({:.0f} %)  {}  {} to go{}", terminal_ ? "\r" : "", time,
-                   end_, 100 * share, state, left, terminal_ ? "\x1b[K" : "\n"));
+  const std::string left =
+      share > 0 && spent > 3 ? fmt::format("  {} to go", clock(spent / share * (1 - share))) : "";
+  tell(fmt::format("{}t {:.4g} of {:.4g} s ({:.0f} %)  {}{}{}", terminal_ ? "\r" : "", time, end_,
+                   100 * share, state, left, terminal_ ? "\x1b[K" : "\n"));
   std::fflush(stderr);
   return true;
 }

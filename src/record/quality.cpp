@@ -21,12 +21,19 @@ bool is_closed(const Case& whole) {
 
 std::vector<std::string> Quality::warnings(const Case& whole) const {
   std::vector<std::string> found;
-  if (const auto text = unresolved(worst, whole)) found.push_back(*text);
+  if (const auto text = unresolved(worst, whole))
+    found.push_back(*text);
+  else if (const auto foreseen = foresee_unresolved(whole))
+    found.push_back(*foreseen);
   if (is_closed(whole) && balance.share() < -rest_bound)
     found.push_back(fmt::format(
         "The scheme put energy into the motion: {:.2g} % of the work or the heat, whichever is "
-        "larger (below {:.0f} % is good); try more domain.cells or a smaller time.cfl.",
-        -100 * balance.share(), 100 * rest_bound));
+        "larger (below {:.0f} % is good); try {}.",
+        -100 * balance.share(), 100 * rest_bound,
+        whole.coupling.scheme == Scheme::explicit_euler && !whole.cloth.empty()
+            ? "coupling.scheme = \"implicit\""
+            : fmt::format("more domain.cells or a smaller time.{}",
+                          whole.time.fixed ? "step" : "cfl")));
   if (static_cast<double>(most_crossings) > crossings_bound * static_cast<double>(crossings.edges))
     found.push_back(fmt::format(
         "Cloth passes through other cloth: up to {} of {} edges ({:.2g} %) in a frame. Nothing "

@@ -72,6 +72,7 @@ class Run {
     log_->info("commit {}, {} for {} ({}, {} bits wide), on {}", build.commit, build.compiler,
                build.target, build.instructions, build.vector_width, processor());
     for (const std::string& note : whole.notes) log_->info("note: {}", note);
+    for (const std::string& doubt : doubts(whole)) log_->info("warning: {}", doubt);
     const auto& ranks = simulation_.grid().ranks();
     log_->info("{} ranks ({}), {} pieces of cloth, {} nodes", parallel_.size(),
                fmt::join(ranks, " x "), simulation_.cloth().pieces(), simulation_.cloth().nodes());
@@ -106,6 +107,7 @@ class Run {
     if (options_.resumed.empty()) {
       output_.start();
       sample(true);
+      if (!options_.developed.empty()) save();  // what it started from may be gone later
       return;
     }
     StateReader(options_.resumed).value("run", *this);
@@ -155,10 +157,10 @@ class Run {
 
   /// A run that goes on later knows nothing of the last row and frame.
   int stop() {
-    save();
+    const bool saved = save();
     if (observer_.sampled() < simulation_.time()) write(true);
     finish("stopped");
-    return exit_stopped;
+    return saved ? exit_stopped : exit_failed;
   }
 
   /// A step; where it fails, those since the last row are done again with smaller ones and more
@@ -193,10 +195,16 @@ class Run {
   void give_up() {
     try {
       if (simulation_.finite()) write(true);
-      row_.put_back(*this);
-      save();
     } catch (const RunError&) {  // what went wrong first is what counts
     }
+    keep_last_row();
+  }
+
+  /// A checkpoint of the state at the last row.
+  void keep_last_row() {
+    if (row_.empty()) return;
+    row_.put_back(*this);
+    save();
   }
 
   /// A row, and maybe a frame, of the state now.
@@ -211,22 +219,30 @@ class Run {
 
   /// The same, and from now on the run may go back to here.
   void sample(bool frame) {
-    write(frame);
+    try {
+      write(frame);
+    } catch (const RunError&) {
+      keep_last_row();
+      throw;
+    }
     row_.take(*this);
   }
 
-  /// A checkpoint; where it cannot be written the run goes on.
-  void save() {
+  /// A checkpoint; where it cannot be written the run goes on. Returns whether it was.
+  bool save() {
     const CheckpointLabel label{options_.program,          case_.resolved,
                                 simulation_.time(),        simulation_.last().number,
                                 case_.output.window_begin, case_.output.window_end};
+    bool saved = true;
     try {
       agree(parallel_, output_.sync());
       checkpoints_.write(label, parallel_, [&](Archive& a) { a.value("run", *this); });
     } catch (const RunError& error) {
       tell(fmt::format("no checkpoint: {}", error.what()));
+      saved = false;
     }
     clock_.start(simulation_.time());
+    return saved;
   }
 
   /// Tells the user and the log.
@@ -239,8 +255,9 @@ class Run {
     progress_.finish();
     output_.write_summary(outcome, progress_.elapsed());
     const std::string line =
-        fmt::format("{}: t {:.6g} s, {} steps, {:.1f} s of computing", outcome, simulation_.time(),
-                    simulation_.last().number, progress_.elapsed());
+        fmt::format("{}: t {:.6g} s, {} steps, {:.1f} s of computing",
+                    outcome == "complete" || outcome == "stopped" ? outcome : "failed",
+                    simulation_.time(), simulation_.last().number, progress_.elapsed());
     for (const auto& warning : observer_.quality().warnings(case_)) tell(warning);
     log_->info(line);
     if (parallel_.root())

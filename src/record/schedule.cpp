@@ -38,10 +38,12 @@ double Schedule::next(double t) const {
 
 bool Schedule::take_frame(double t) {
   if (frame_interval_ <= 0) return false;
-  const auto due = static_cast<long>((t + std::max(close_, merge_)) / frame_interval_);
-  const bool is_due = due > frames_;
-  frames_ = std::max(frames_, due);
-  return is_due;
+  const auto multiples = [&](double time) {
+    return std::floor((time + std::max(close_, merge_)) / frame_interval_);
+  };
+  if (multiples(t) <= multiples(last_frame_)) return false;
+  last_frame_ = t;
+  return true;
 }
 
 }  // namespace washtub

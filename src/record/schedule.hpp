@@ -21,14 +21,14 @@ class Schedule {
   /// Whether a frame is due at the row at t; then the next one is due later.
   bool take_frame(double t);
 
-  void state(Archive& archive) { archive.value("frames due", frames_); }
+  void state(Archive& archive) { archive.value("last frame", last_frame_); }
 
  private:
   double every_, frame_interval_, end_;
   double close_;               ///< [s]
   double merge_;               ///< [s]
   std::vector<double> marks_;  ///< ends of window and cycles, in order [s]
-  long frames_ = 0;            ///< multiples of output.frames that have had their frame
+  double last_frame_ = 0;      ///< time of the last frame that was due [s]
 };
 
 }  // namespace washtub

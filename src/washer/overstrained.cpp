@@ -34,7 +34,8 @@ std::string overstrained(const WorstEdge& edge, const Case& whole) {
       "(coupling.strain_limit = {}); try {}",
       edge.piece + 1, longer ? "stretched" : "shortened", 100 * std::abs(edge.elongation()),
       node_text(edge, whole.dimension), 100 * std::abs(elongation(longer ? limit : -limit)), limit,
-      remedy(whole));
+      (limit < CouplingCase().strain_limit ? "a larger coupling.strain_limit, or " : "") +
+          remedy(whole));
 }
 
 }  // namespace washtub

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/resolution.hpp"
 #include "flow/grid_scale.hpp"
 #include "solid/surface_speed.hpp"
 
@@ -103,6 +104,12 @@ std::optional<std::string> foresee_unresolved(const Case& whole) {
          ". Expect velocities that alternate from cell to cell, water several times faster "
          "than what drives it, and kinetic energy that grows from cycle to cycle; " +
          advice(whole);
+}
+
+std::vector<std::string> doubts(const Case& whole) {
+  std::vector<std::string> found = unresolved(whole);
+  if (auto text = foresee_unresolved(whole)) found.push_back(*std::move(text));
+  return found;
 }
 
 template double driving_speed<2>(const Grid<2>&, const DomainMapping<2>&, const SidePairs<2>&,

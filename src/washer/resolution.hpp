@@ -49,4 +49,7 @@ std::optional<std::string> unresolved(const Resolution& worst, const Case& whole
 /// its speed and viscosity make; none where nothing is to be feared, or nothing is known.
 std::optional<std::string> foresee_unresolved(const Case& whole);
 
+/// All that can be said beforehand of what the grid does not resolve, a paragraph each.
+std::vector<std::string> doubts(const Case& whole);
+
 }  // namespace washtub

@@ -87,6 +87,7 @@ void Simulation<D>::state(Archive& archive) {
   archive.value("speed", last_.speed);
   archive.value("kinetic energy", last_.kinetic);
   archive.value("courant rate", courant_rate_);
+  archive.value("driving speed", driving_speed_);
   archive.value("slip factor", slip_factor_);
   archive.value("caution", caution_);
   archive.value("wanted step", wanted_step_);

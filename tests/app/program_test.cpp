@@ -80,8 +80,8 @@ TEST_F(Program, KeepsResultsOfAnotherRun) {
   const Outcome outcome = run("run " + wash());
   EXPECT_EQ(outcome.code, 2);
   EXPECT_EQ(outcome.text,
-            "washtub: out/wash-3d: holds results already; name another directory with -o, or "
-            "overwrite them with --force\n");
+            "washtub: out/wash-3d: holds files already; name another directory with -o, or "
+            "overwrite results with --force\n");
   EXPECT_EQ(std::distance(fs::directory_iterator(results), {}), 1);
 }
 

@@ -40,9 +40,9 @@ TEST(Resolution, ThinPartsAreNamed) {
 TEST(Resolution, NarrowGapsAreNamed) {
   EXPECT_THAT(unresolved(plane({solid("one", bar(0.2, 0.3)), solid("two", bar(0.4, 0.5))})),
               ElementsAre("one leaves gaps to other solids about 3.2 cells wide, at least 4 are "
-                          "resolved; try 1.2 times as many domain.cells",
+                          "resolved; try 1.3 times as many domain.cells",
                           "two leaves gaps to other solids about 3.2 cells wide, at least 4 are "
-                          "resolved; try 1.2 times as many domain.cells"));
+                          "resolved; try 1.3 times as many domain.cells"));
 }
 
 /// The cells of a wash are three times as wide as high: a fin counts the wide ones.

@@ -13,7 +13,9 @@ flip() { # FILE POSITION
 for damage in cut flip; do
   directory=$work/$damage
   start "$directory" -n 1
-  until [ "$(ls "$directory"/checkpoints/*.h5 2>/dev/null | wc -l)" -ge 2 ]; do sleep 0.01; done
+  until [ "$(ls "$directory"/checkpoints/*.h5 2>/dev/null | wc -l)" -ge 2 ] || ! kill -0 $pid; do
+    sleep 0.01
+  done
   kill -KILL $pid
   wait $pid 2>/dev/null
   file=$(newest "$directory")
@@ -21,9 +23,13 @@ for damage in cut flip; do
   cut) truncate -s -1000 "$file" ;;
   flip) flip "$file" $(($(stat -c %s "$file") / 2)) ;;
   esac
+  touch "$directory/checkpoints/of_the_user.h5" "$directory/checkpoints/checkpoint_9.h5.part"
   run "$directory" -n 1 --resume || { fail "resume past a damaged checkpoint"; tail "$directory.out"; }
   expect_text "$directory.out" "; falling back to $directory/checkpoints/"
   same_results "$work/whole" "$directory"
+  no_leftovers "$directory"
+  [ -e "$directory/checkpoints/of_the_user.h5" ] || fail "a file of the user is gone"
+  [ ! -e "$file" ] || fail "the damaged checkpoint is still there"
 done
 
 for file in "$work"/whole/checkpoints/*.h5; do truncate -s 100 "$file"; done

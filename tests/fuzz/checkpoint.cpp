@@ -68,7 +68,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const fuzz::ScratchFile file;
   if (size == 0) return 0;
   file.write(fuzz::damaged(sound, fuzz::text_of(data + 1, size - 1)));
-  if (data[0] % 2 == 1) seal_file(file.path(), "checkpoint", 1);
+  if (data[0] % 2 == 1) seal_file(file.path(), "checkpoint", checkpoint_version);
   if (size == 1)
     read(file.path());  // sound
   else

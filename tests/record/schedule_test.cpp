@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/snapshot.hpp"
+
 namespace washtub {
 namespace {
 
@@ -60,6 +62,24 @@ TEST(Schedule, FramesComeAtTheFirstRowFromTheirTimeOn) {
   for (double t = 0; !schedule.reached(t, 1);)
     if (schedule.take_frame(t = schedule.next(t))) frames.push_back(std::round(10 * t));
   EXPECT_THAT(frames, ElementsAre(3, 5, 8, 10));
+}
+
+/// A run that goes on with frames further apart, or nearer, has them from then on.
+TEST(Schedule, FramesGoOnAtAnotherInterval) {
+  for (const double interval : {0.4, 0.1}) {
+    Schedule before(run(1, 0.05, 0.25, {0, 1}, 0)), after(run(1, 0.05, interval, {0, 1}, 0));
+    for (double t = 0; !before.reached(t, 0.5);) before.take_frame(t = before.next(t));
+    Snapshot saved;
+    saved.take(before);
+    saved.put_back(after);
+    std::vector<double> frames;
+    for (double t = 0.5; !after.reached(t, 1);)
+      if (after.take_frame(t = after.next(t))) frames.push_back(std::round(20 * t));
+    if (interval > 0.25)
+      EXPECT_THAT(frames, ElementsAre(16));
+    else
+      EXPECT_THAT(frames, ElementsAre(12, 14, 16, 18, 20));
+  }
 }
 
 }  // namespace

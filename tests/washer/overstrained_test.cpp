@@ -33,7 +33,8 @@ TEST(Overstrained, TellsShortenedFromStretched) {
   whole.coupling.scheme = Scheme::broyden;
   EXPECT_EQ(overstrained({(0.64 - 1) / 2, 0, {2, 4}}, whole),
             "piece 1 of the cloth is shortened by 20 % at node (2, 4), limit 10 % "
-            "(coupling.strain_limit = 0.095); try a smaller time.step, coupling.scheme = "
+            "(coupling.strain_limit = 0.095); try a larger coupling.strain_limit, or a smaller "
+            "time.step, coupling.scheme = "
             "\"implicit\", more domain.cells than 16 x 16 x 8 or a larger cloth.stretch_stiffness");
 }
 
