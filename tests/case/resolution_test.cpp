@@ -33,7 +33,7 @@ TEST(Resolution, ThickSolidsFarApartAreResolved) {
 
 TEST(Resolution, ThinPartsAreNamed) {
   EXPECT_THAT(unresolved(plane({solid("fin", bar(0.3, 0.35))})),
-              ElementsAre("fin has parts about 1.6 cells thick, at least 2 are resolved; try 1.2 "
+              ElementsAre("fin has parts about 1.6 cells thick, at least 2 are resolved; try 1.3 "
                           "times as many domain.cells"));
 }
 
