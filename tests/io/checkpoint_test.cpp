@@ -269,9 +269,9 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Checkpoint, NoneIsSaidWithWhatIsWrong) {
   Saved saved;
   std::vector<std::string> damaged;
-  EXPECT_THAT([&] { saved.ring.newest(damaged); },
-              ThrowsMessage<InputError>(HasSubstr(
-                  "checkpoints: holds no checkpoint to go on from")));
+  EXPECT_THAT(
+      [&] { saved.ring.newest(damaged); },
+      ThrowsMessage<InputError>(HasSubstr("checkpoints: holds no checkpoint to go on from")));
 }
 
 TEST(StateReader, AListThatTheFileCannotHoldIsRefused) {
