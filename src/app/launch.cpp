@@ -17,7 +17,6 @@
 #include <set>
 
 #include "base/error.hpp"
-#include "base/exit_code.hpp"
 #include "record/stop.hpp"
 
 namespace washtub {

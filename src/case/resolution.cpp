@@ -8,11 +8,11 @@
 namespace washtub {
 namespace {
 
-constexpr double thin = 2;           // cells that a part of a solid should be thick
-constexpr double narrow = 4;         // cells of the delta functions, so of cloth in a gap
-constexpr double share = 0.02;       // of a surface, below which an edge or a corner is not meant
-constexpr int fewest_places = 48;    // along an axis, at which surfaces are looked for
-constexpr double stride = 1.0 / 16;  // along a ray, in cells
+constexpr double thin = 2;      // cells that a part of a solid should be thick
+constexpr double narrow = 4;    // cells of the delta functions, so of cloth in a gap
+constexpr double share = 0.02;  // of a surface, below which an edge or a corner is not meant
+constexpr int fewest_places = 48, most_places = 128;  // along an axis, to look for surfaces at
+constexpr double stride = 1.0 / 16;                   // along a ray, in cells
 
 double psi(const SolidCase& solid, const Vec<3>& x) { return solid.shape.psi(x - solid.centre); }
 
@@ -49,14 +49,14 @@ class Resolution {
 
  private:
   /// Calls visit(point of the surface inside the box, unit vector into the solid), about once per
-  /// cell of surface, more often where the grid is coarse.
+  /// cell of surface, more often on coarse grids and less often on fine ones.
   template <class Visit>
   void for_surface(const SolidCase& solid, Visit&& visit) const {
     std::array<int, 3> cells = whole_.domain.cells;
     Vec<3> spacing = Vec<3>::Zero();
     for (int axis = 0; axis < whole_.dimension; ++axis) {
       auto& n = cells[static_cast<std::size_t>(axis)];
-      n = std::max(n, fewest_places);
+      n = std::clamp(n, fewest_places, most_places);
       spacing[axis] = whole_.domain.size[axis] / n;
     }
     const double h = spacing.maxCoeff();

@@ -56,17 +56,7 @@ std::string read_file(const std::string& path) {
   return text;
 }
 
-void replace_file(const std::string& name, std::string_view text) {
-  std::error_code none;
-  std::string path = std::filesystem::is_symlink(name, none)
-                         ? std::filesystem::weakly_canonical(name, none).string()
-                         : name;
-  if (std::filesystem::exists(path, none) && !std::filesystem::is_regular_file(path, none) &&
-      !std::filesystem::is_directory(path, none)) {
-    const int failure = write_whole(path, text);
-    if (failure != 0) throw RunError(cannot_write(path, failure));
-    return;
-  }
+void replace_file(const std::string& path, std::string_view text) {
   const std::string temporary = path + ".part";
   int error = write_whole(temporary, text);
   if (error == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) error = errno;

@@ -72,7 +72,8 @@ class Run {
     log_->info("commit {}, {} for {} ({}, {} bits wide), on {}", build.commit, build.compiler,
                build.target, build.instructions, build.vector_width, processor());
     for (const std::string& note : whole.notes) log_->info("note: {}", note);
-    for (const std::string& doubt : doubts(whole)) log_->info("warning: {}", doubt);
+    if (parallel_.root())
+      for (const std::string& doubt : doubts(whole)) log_->info("warning: {}", doubt);
     const auto& ranks = simulation_.grid().ranks();
     log_->info("{} ranks ({}), {} pieces of cloth, {} nodes", parallel_.size(),
                fmt::join(ranks, " x "), simulation_.cloth().pieces(), simulation_.cloth().nodes());

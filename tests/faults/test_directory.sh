@@ -4,7 +4,7 @@
 . "$(dirname "$0")/common.sh"
 
 # Removed in mid-run: the run ends and says which file cannot be written.
-start "$work/removed" -n 1
+start "$work/removed" -n 1 --set 'time.end=1000 s' # longer than the removal takes
 until [ -s "$work/removed/frames.xdmf" ] || ! kill -0 $pid 2>/dev/null; do sleep 0.01; done
 until rm -rf "$work/removed" 2>/dev/null; do :; done # the run may be writing into it
 wait $pid
