@@ -12,8 +12,10 @@ template <int D>
 struct CouplingReport {
   int iterations = 0;         ///< most Newton steps of any piece, or Broyden steps
   double largest_strain = 0;  ///< |E| of any edge
-  double slip = 0;            ///< rms over the nodes not pinned of |V - S u| [m/s]
-  double leak = 0;            ///< rms over the pinned nodes of |S u| [m/s]
+  /// How nodes move past the water; 0 in a step in which it was not looked at.
+  double slip = 0;      ///< rms over the nodes not pinned of |V - S u| [m/s]
+  double leak = 0;      ///< rms over the pinned nodes of |S u| [m/s]
+  bool looked = false;  ///< whether it was
   typename Barrier<D>::Report barrier;
 };
 

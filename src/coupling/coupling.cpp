@@ -8,6 +8,8 @@
 namespace washtub {
 namespace {
 
+constexpr double moves_mobility = 0.25;  // cells that a node goes until it has another mobility
+
 void require(bool holds, const char* what) {
   if (!holds) throw std::logic_error(std::string("Coupling::") + what);
 }
@@ -24,18 +26,31 @@ Coupling<D>::Coupling(Flow<D>& flow, Cloth<D>& cloth, const DomainMapping<D>& ma
       barrier_(flow.grid(), mapping, cloth),
       scheme_(make_scheme(scheme, step_, barrier_)),
       middle_(cloth.position.size()),
-      pin_force_(step_.pinned.size()) {
-  if (scheme_->needs_water() || !step_.pinned.empty())
-    for (auto& u : provisional_) u = flow.grid().make_field();
+      place_of_mobility_(cloth.position.size(), Vec<D>::Zero()),
+      pin_force_(step_.pinned.size()) {}
+
+/// Whether the nodes are where they were, within a part of a cell, when the mobility was found.
+template <int D>
+bool Coupling<D>::mobility_holds() const {
+  if (age_of_mobility_ >= lifetime_of_mobility) return false;
+  const Vec<D> most = moves_mobility * step_.flow.grid().mesh().h;
+  for (std::size_t i = 0; i < middle_.size(); ++i)
+    if (((middle_[i] - place_of_mobility_[i]).cwiseAbs() - most).maxCoeff() > 0) return false;
+  return true;
 }
 
-/// Where the water would carry the nodes, and how easily it is moved there.
+/// Where the water would carry the nodes, and how easily it is moved there. The latter weighs how
+/// the force changes within a step, so that its error is one of the order of the step.
 template <int D>
 void Coupling<D>::find_water() {
   const auto& flow = step_.flow;
-  flow.provisional(provisional_);
-  boundary_.mobility(flow.openings(), flow.density(), step_.mobility);
-  boundary_.interpolate(provisional_, step_.water);
+  if (!mobility_holds()) {
+    boundary_.mobility(flow.openings(), flow.density(), step_.mobility);
+    place_of_mobility_ = middle_;
+    age_of_mobility_ = 0;
+  }
+  ++age_of_mobility_;
+  boundary_.interpolate(flow.provisional(), step_.water);
 }
 
 template <int D>
@@ -74,7 +89,7 @@ void Coupling<D>::push() {
   for (std::size_t i = 0; i < middle_.size(); ++i)
     middle_[i] = step_.cloth.position[i] + ahead * step_.cloth.velocity[i];
   boundary_.place(middle_);
-  if (provisional_[0].size() > 0) find_water();
+  if (scheme_->needs_provisional() || !step_.pinned.empty()) find_water();
   find_pins();
   scheme_->push();
   spread_force();
@@ -85,7 +100,7 @@ template <int D>
 bool Coupling<D>::again() {
   require(stage_ == Stage::pushed && !step_.flow.predicted(),
           "again(): only after push() and Flow::project()");
-  find_velocity();
+  if (scheme_->needs_projected()) find_velocity();
   if (scheme_->again()) {
     spread_force();
     return true;
@@ -95,7 +110,7 @@ bool Coupling<D>::again() {
 }
 
 template <int D>
-typename Coupling<D>::Report Coupling<D>::move() {
+typename Coupling<D>::Report Coupling<D>::move(bool measure_slip) {
   require(stage_ == Stage::settled, "move(): only once again() is false");
   auto& cloth = step_.cloth;
   auto& next = step_.next;
@@ -111,7 +126,8 @@ typename Coupling<D>::Report Coupling<D>::move() {
     cloth.velocity[i] = (next[i] - cloth.position[i]) / dt;
     cloth.position[i] = next[i];
   }
-  measure_slip();
+  if (measure_slip && !scheme_->needs_projected()) find_velocity();
+  if (measure_slip || scheme_->needs_projected()) this->measure_slip();
   stage_ = Stage::moved;
   return report;
 }
@@ -126,6 +142,7 @@ void Coupling<D>::measure_slip() {
   }
   const auto loose = static_cast<double>(step_.water.size() - step_.pinned.size());
   step_.report.slip = std::sqrt(squares / std::max(loose, 1.0));
+  step_.report.looked = true;
 }
 
 template <int D>

@@ -35,11 +35,15 @@ class Coupling {
   /// better force, and the flow is back at its prediction. Only the Broyden scheme ever needs it.
   /// @throws RunError when the iteration does not converge
   bool again();
-  /// On return the cloth is at its new place, outside all solids.
-  Report move();
+  /// On return the cloth is at its new place, outside all solids. Where the scheme does not need to
+  /// know how nodes move past the water it is measured only if asked for.
+  Report move(bool measure_slip = true);
 
   void state(Archive& archive) {
     archive.same_length("force", step_.force);
+    archive.same_length("mobility", step_.mobility);
+    archive.same_length("place of mobility", place_of_mobility_);
+    archive.value("age of mobility", age_of_mobility_);
     archive.value("barrier", barrier_);
     if (archive.reading()) stage_ = Stage::moved;  // a step that failed is forgotten
   }
@@ -48,9 +52,11 @@ class Coupling {
   double contact_moment(std::size_t solid) const;
 
  private:
+  static constexpr int lifetime_of_mobility = 4;  ///< most steps for which it is kept
   /// What is done of a step.
   enum class Stage { moved, pushed, settled };
 
+  bool mobility_holds() const;
   void find_water();
   void find_pins();
   void find_velocity();
@@ -62,9 +68,10 @@ class Coupling {
   ImmersedBoundary<D> boundary_;
   Barrier<D> barrier_;
   std::unique_ptr<CouplingScheme<D>> scheme_;
-  Components<D> provisional_;      ///< the flow's, where the scheme or a pin needs it
-  std::vector<Vec<D>> middle_;     ///< where the delta functions stand [m]
-  std::vector<Vec<D>> pin_force_;  ///< of each pinned node on the water [N]
+  std::vector<Vec<D>> middle_;                  ///< where the delta functions stand [m]
+  std::vector<Vec<D>> place_of_mobility_;       ///< where they stood when it was found [m]
+  int age_of_mobility_ = lifetime_of_mobility;  ///< in steps
+  std::vector<Vec<D>> pin_force_;               ///< of each pinned node on the water [N]
   Stage stage_ = Stage::moved;
 };
 

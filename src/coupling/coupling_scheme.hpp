@@ -15,8 +15,10 @@ class CouplingScheme {
 
   /// The delta functions stand where the nodes will be after this part of the step.
   virtual double ahead() const { return 0.5; }
-  /// Whether push() has to know `water` and `mobility`.
-  virtual bool needs_water() const { return false; }
+  /// Whether push() has to know `mobility` and, before the projection, `water`.
+  virtual bool needs_provisional() const { return false; }
+  /// Whether again() and move() have to know `water` after the projection.
+  virtual bool needs_projected() const { return true; }
   /// On entry `force` is that of the step before; on return that of this one, pinned nodes aside.
   virtual void push() = 0;
   /// After each projection: true if another one is needed. Then `force` is a better one and the

@@ -80,10 +80,10 @@ void ImmersedBoundary<D>::spread(const std::vector<Vec<D>>& G, Components<D>& f)
   }
 }
 
-/// U_i = sum over its markers of share times value(component, memory position).
+/// U_i = sum over its markers of share times component(c)(memory position).
 template <int D>
-template <class Value>
-void ImmersedBoundary<D>::gather(Value&& value, std::vector<Vec<D>>& U) const {
+template <class Component>
+void ImmersedBoundary<D>::gather(Component&& component, std::vector<Vec<D>>& U) const {
   const int n = grid_.mesh().cells[0];
   const auto& markers = stencils_.markers();
   std::fill(U.begin(), U.end(), Vec<D>::Zero());
@@ -92,15 +92,15 @@ void ImmersedBoundary<D>::gather(Value&& value, std::vector<Vec<D>>& U) const {
     Vec<D> u;
     for (int c = 0; c < D; ++c) {
       const Line& x = s.along(0, c);
+      const auto value = component(c);
       Weights sum{};  // over the rows, for each place along x
       if (x.start + kernel_points <= n)
         for_rows(s, c, [&](long row, double weight) {
-          for (int i = 0; i < kernel_points; ++i) sum[i] += weight * value(c, row + x.start + i);
+          for (int i = 0; i < kernel_points; ++i) sum[i] += weight * value(row + x.start + i);
         });
       else
         for_rows(s, c, [&](long row, double weight) {
-          for (int i = 0; i < kernel_points; ++i)
-            sum[i] += weight * value(c, row + (x.start + i) % n);
+          for (int i = 0; i < kernel_points; ++i) sum[i] += weight * value(row + (x.start + i) % n);
         });
       u[c] = 0;
       for (int i = 0; i < kernel_points; ++i) u[c] += x.weight[i] * sum[i];
@@ -112,9 +112,20 @@ void ImmersedBoundary<D>::gather(Value&& value, std::vector<Vec<D>>& U) const {
 
 template <int D>
 void ImmersedBoundary<D>::interpolate(const Components<D>& u, std::vector<Vec<D>>& U) const {
-  std::array<const double*, D> field;
-  for (int d = 0; d < D; ++d) field[d] = u[d].data();
-  gather([&](int c, long p) { return field[c][p]; }, U);
+  gather([&](int c) { return [field = u[c].data()](long p) { return field[p]; }; }, U);
+  add_given(U);
+}
+
+template <int D>
+void ImmersedBoundary<D>::interpolate(const ProvisionalVelocity<D>& u,
+                                      std::vector<Vec<D>>& U) const {
+  gather([&](int c) { return u.component(c); }, U);
+  add_given(U);
+}
+
+/// What moving sides add.
+template <int D>
+void ImmersedBoundary<D>::add_given(std::vector<Vec<D>>& U) const {
   const auto& markers = stencils_.markers();
   for (const auto& [m, given] : stencils_.given())
     for (int c = 0; c < Markers<D>::corners; ++c)
@@ -126,7 +137,12 @@ void ImmersedBoundary<D>::mobility(const Openings<D>& openings, double density,
                                    std::vector<Vec<D>>& mobility) {
   for (auto& o : ones_) o.fill(0);
   spread(unit_, ones_);
-  gather([&](int c, long p) { return ones_[c][p] * openings.open[c][p]; }, mobility);
+  gather(
+      [&](int c) {
+        return
+            [one = ones_[c].data(), open = openings.open[c]](long p) { return one[p] * open[p]; };
+      },
+      mobility);
   const double floor = mobility_floor / (density * grid_.mesh().cell_volume());
   for (auto& d : mobility) d = (d / density).cwiseMax(floor);
 }

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "coupling/stencils.hpp"
-#include "flow/fields.hpp"
+#include "flow/provisional.hpp"
 
 namespace washtub {
 
@@ -25,6 +25,7 @@ class ImmersedBoundary {
   void spread(const std::vector<Vec<D>>& G, Components<D>& f) const;
   /// On return U holds the velocity [m/s] at every node, on all ranks.
   void interpolate(const Components<D>& u, std::vector<Vec<D>>& U) const;
+  void interpolate(const ProvisionalVelocity<D>& u, std::vector<Vec<D>>& U) const;
   /// Lumped mobility D_i [1/kg]: the velocity per impulse of node i when all nodes are pushed alike
   /// and closed faces do not give way.
   void mobility(const Openings<D>& openings, double density, std::vector<Vec<D>>& mobility);
@@ -41,8 +42,9 @@ class ImmersedBoundary {
   OwnLines own(const Line& l, int axis) const;
   template <class Visit>
   void for_rows(const Stencil& s, int component, Visit&& visit) const;
-  template <class Value>
-  void gather(Value&& value, std::vector<Vec<D>>& U) const;
+  template <class Component>
+  void gather(Component&& component, std::vector<Vec<D>>& U) const;
+  void add_given(std::vector<Vec<D>>& U) const;
 
   const Grid<D>& grid_;
   Stencils<D> stencils_;

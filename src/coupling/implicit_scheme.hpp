@@ -16,7 +16,8 @@ class ImplicitScheme : public CouplingScheme<D> {
  public:
   ImplicitScheme(CoupledStep<D>& step, Barrier<D>& barrier);
 
-  bool needs_water() const override { return true; }
+  bool needs_provisional() const override { return true; }
+  bool needs_projected() const override { return false; }
   /// @throws RunError naming the piece whose solve failed
   void push() override;
   double contact_moment(int solid, const Vec<3>& axis) const override;

@@ -46,9 +46,9 @@ void Flow<D>::predict(double dt) {
 }
 
 template <int D>
-void Flow<D>::provisional(Components<D>& out) const {
+ProvisionalVelocity<D> Flow<D>::provisional() const {
   require(predicted(), "provisional(): only after predict(dt)");
-  projection_.provisional(step_, out);
+  return {water_, pressure(), step_};
 }
 
 template <int D>

@@ -2,6 +2,7 @@
 #include "flow/fields.hpp"
 #include "flow/prediction.hpp"
 #include "flow/projection.hpp"
+#include "flow/provisional.hpp"
 
 namespace washtub {
 
@@ -49,10 +50,8 @@ class Flow {
   /// that walls keep their velocity with it; on return it is taken out again.
   void predict(double dt);
 
-  /// Writes u* + dt/rho (f - grad p) with the force and pressure of the step before into `out`:
-  /// what the velocity would become if neither changed. Between predict() and project(), faces of
-  /// this rank only.
-  void provisional(Components<D>& out) const;
+  /// Between predict() and project().
+  ProvisionalVelocity<D> provisional() const;
 
   /// Keeps u*, to be called between predict() and project().
   void keep_prediction();

@@ -21,30 +21,6 @@ void Projection<D>::openings_changed(int k0, int k1, bool flipped) {
   if (flipped) warm_start_.flip();
 }
 
-template <int D>
-void Projection<D>::provisional(double dt, Components<D>& out) const {
-  const auto& block = water_.grid.block();
-  for (int k = 0; k < block.planes(); ++k)
-    for (int j = 0; j < block.rows(); ++j) {
-      const auto range = multigrid_.live(j, k);
-      const int begin = range.begin, end = range.end;
-      const long r = block.row(j, k);
-      const double* p = multigrid_.pressure().data() + r;
-      for (int d = 0; d < D; ++d) {
-        const double *u = water_.u[d].data() + r, *f = water_.f[d].data() + r;
-        const float* open = water_.openings.open[d] + r;
-        double* __restrict__ o = out[d].data() + r;
-        const long s = d == 0 ? 1 : block.stride[d];
-        const double a = dt / water_.density, per_h = 1 / water_.grid.mesh().h[d];
-        std::copy_n(u, begin, o);
-        std::copy(u + end, u + block.width(), o + end);
-#pragma omp simd
-        for (int i = begin; i < end; ++i)
-          o[i] = u[i] + a * open[i] * (f[i] - per_h * (p[i] - p[i - s]));
-      }
-    }
-}
-
 /// u += dt/rho f on the open faces of a row.
 template <int D>
 void Projection<D>::add_force_row(int j, int k, double dt, Extremes& largest) {

@@ -29,9 +29,6 @@ class Projection {
   /// step, and the solve starts from it.
   Report project(double dt, const Accuracy& accuracy, bool again);
 
-  /// u* + dt/rho (f - grad p) with what f and p are now, on the faces of this rank.
-  void provisional(double dt, Components<D>& out) const;
-
   /// Takes up open fractions that changed in the planes [k0, k1) of this rank; `flipped` if some
   /// did at once.
   void openings_changed(int k0, int k1, bool flipped);

@@ -117,11 +117,15 @@ const std::vector<DeclaredEntry<RunSource>> coupling = {
      }},
     {{names::strain, pure_number, "of an edge of the cloth in all steps, Green's, its magnitude"},
      [](const RunSource& s) -> Json { return s.end.extremes.strain; }},
-    {{"largest rms slip", metre_per_second, "of the cloth against the water, of all steps"},
+    {{"largest rms slip", metre_per_second,
+      "of the cloth against the water; looked at in each row and eighth step"},
      [](const RunSource& s) -> Json { return s.end.extremes.slip; }},
-    {{names::mean_slip_share, pure_number, "over all steps"},
-     [](const RunSource& s) -> Json { return per_step(s.end.extremes.sum_of_slip_shares, s); }},
-    {{names::largest_slip_share, pure_number, "of all steps"},
+    {{names::mean_slip_share, pure_number, "over these steps"},
+     [](const RunSource& s) -> Json {
+       const auto& e = s.end.extremes;
+       return e.sum_of_slip_shares / static_cast<double>(e.slip_looks);
+     }},
+    {{names::largest_slip_share, pure_number, "of these steps"},
      [](const RunSource& s) -> Json { return s.end.extremes.slip_share; }},
     {{names::depth, metre, "in a step, had nothing held it off"},
      [](const RunSource& s) -> Json { return s.end.extremes.depth; }},

@@ -10,6 +10,7 @@ struct Extremes {
   double slip_share = 0, sum_of_slip_shares = 0;  ///< rms slip over the largest speed then, or
                                                   ///< over the least one that counts
   double speed = 0;                               ///< [m/s]
+  long slip_looks = 0;                            ///< steps in which the slip was measured
   long touched = 0, cycles = 0, unconverged = 0, newton = 0;
   double largest_step = 0, smallest_step = 1e30;
 
@@ -22,6 +23,7 @@ struct Extremes {
     archive.value("courant", courant);
     archive.value("slip share", slip_share);
     archive.value("sum of slip shares", sum_of_slip_shares);
+    archive.value("slip looks", slip_looks);
     archive.value("speed", speed);
     archive.value("touched", touched);
     archive.value("pressure cycles", cycles);

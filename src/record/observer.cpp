@@ -203,11 +203,14 @@ void Observer<D>::watch(const typename Simulation<D>::Step& step) {
   auto& e = extremes_;
   e.divergence = std::max(e.divergence, step.divergence);
   e.courant = std::max(e.courant, step.courant);
-  e.slip = std::max(e.slip, step.cloth.slip);
   e.speed = std::max(e.speed, step.speed);
-  const double share = step.cloth.slip / std::max(step.speed, least_speed());
-  e.slip_share = std::max(e.slip_share, share);
-  e.sum_of_slip_shares += share;
+  if (step.cloth.looked) {
+    const double share = step.cloth.slip / std::max(step.speed, least_speed());
+    e.slip = std::max(e.slip, step.cloth.slip);
+    e.slip_share = std::max(e.slip_share, share);
+    e.sum_of_slip_shares += share;
+    ++e.slip_looks;
+  }
   e.depth = std::max(e.depth, step.cloth.barrier.depth);
   e.penetration = std::max(e.penetration, step.cloth.barrier.penetration);
   e.strain = std::max(e.strain, step.cloth.largest_strain);

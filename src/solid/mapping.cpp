@@ -11,6 +11,8 @@ namespace {
 
 constexpr double rebase_after = 32;  // [rad] of travel, so that single precision keeps its digits
 
+constexpr double deepest_push = 4;  // cells that the cloth's force reaches into a solid
+
 constexpr std::uint8_t nobody = 255;    // owner of the faces on the sides of the box
 constexpr double almost_closed = 1e-3;  // open fraction too small for a pressure gradient to act on
 
@@ -62,6 +64,7 @@ DomainMapping<D>::DomainMapping(const Grid<D>& grid, std::vector<Solid> solids, 
     expiry_[d] = Storage<float>(n);
     owner_[d] = Storage<std::uint8_t>(n);
   }
+  for (int d = 0; d < D; ++d) surface_.emplace_back(grid, d);
   CellBox<D> whole;
   whole.upper = grid.block().count;
   moving_planes_ = {grid.block().planes(), 0};
@@ -77,6 +80,37 @@ DomainMapping<D>::DomainMapping(const Grid<D>& grid, std::vector<Solid> solids, 
   swept_.clear();
   close_sides();
   exchange();
+  find_surface();
+}
+
+/// Whether the surface or what acts there can come to a face that a solid closes: cloth pushes as
+/// far as its delta function reaches.
+template <int D>
+bool DomainMapping<D>::counts(const Vec<D>& x, int owner, const Index<D>& cell) const {
+  for (std::size_t s = 0; s < solids_.size(); ++s)
+    if (solids_[s].drive.moving() && reach_[s].contains(cell)) return true;
+  return poses_[owner].psi(in_space<D>(x)) < deepest_push * grid_.mesh().h.maxCoeff();
+}
+
+/// All faces in solids.
+template <int D>
+void DomainMapping<D>::find_surface() {
+  const auto& block = grid_.block();
+  for (int d = 0; d < D; ++d) {
+    surface_[d].clear();
+    for (int k = 0; k < block.planes(); ++k)
+      for (int j = 0; j < block.rows(); ++j)
+        for (int i = 0; i < block.width(); ++i) {
+          const long p = block.row(j, k) + i;
+          if (open_[d][p] >= 1 || owner_[d][p] == nobody) continue;
+          Index<D> cell{};
+          cell[0] = i;
+          if constexpr (D == 3) cell[1] = j;
+          cell[D - 1] = k;
+          if (counts(grid_.position(cell, d), owner_[d][p], cell)) surface_[d].add(cell);
+        }
+    surface_[d].update(open_[d].data());
+  }
 }
 
 template <int D>
@@ -141,6 +175,7 @@ void DomainMapping<D>::evaluate_row(int d, int j, int k, int i0, int i1, bool al
     const float fresh = open_fraction(largest);
     if (fresh == open[i]) continue;
     swept_.push_back({d, owner[i], p + i, grid_.position(cell, d), open[i] - fresh});
+    if (open[i] >= 1) surface_[d].add(cell);
     open[i] = fresh;
     change_.any = true;
   }
@@ -215,6 +250,7 @@ typename DomainMapping<D>::Change DomainMapping<D>::update(double t) {
   if (change_.any) {
     change_.flipped = gamma_ == 0;
     exchange();
+    for (int d = 0; d < D; ++d) surface_[d].update(open_[d].data());
   }
   return change_;
 }
@@ -284,7 +320,9 @@ void DomainMapping<D>::state(Archive& archive) {
   archive.grids("expiry", expiry_, part);
   archive.value("time", time_);
   archive.value("travel", travel_);
-  if (archive.reading()) pose();
+  if (!archive.reading()) return;
+  pose();
+  find_surface();
 }
 
 template class DomainMapping<2>;

@@ -4,6 +4,7 @@
 
 #include "grid/grid.hpp"
 #include "solid/solid.hpp"
+#include "solid/surface_faces.hpp"
 
 namespace washtub {
 
@@ -15,6 +16,11 @@ struct CellBox {
     for (int d = 0; d < D; ++d)
       if (lower[d] >= upper[d]) return true;
     return false;
+  }
+  bool contains(const Index<D>& cell) const {
+    for (int d = 0; d < D; ++d)
+      if (cell[d] < lower[d] || cell[d] >= upper[d]) return false;
+    return true;
   }
 };
 
@@ -47,8 +53,9 @@ class DomainMapping {
   /// Solid with the largest psi at the lower faces along axis d, ghosts included; meaningful where
   /// not fully open.
   const std::uint8_t* owner(int d) const { return owner_[d].data(); }
-  /// Cells whose faces a solid can ever close, for solids that move; whole block for others.
-  const CellBox<D>& reach(std::size_t solid) const { return reach_[solid]; }
+  /// Faces of this rank along axis d that are not fully open, those deep inside solids that never
+  /// move aside.
+  const SurfaceFaces<D>& surface(int d) const { return surface_[d]; }
   /// Planes of this rank that moving solids can reach, [first, last).
   std::array<int, 2> moving_planes() const { return moving_planes_; }
 
@@ -69,6 +76,8 @@ class DomainMapping {
   void evaluate(const CellBox<D>& box, bool all);
   void evaluate_row(int d, int j, int k, int i0, int i1, bool all);
   void pose();
+  void find_surface();
+  bool counts(const Vec<D>& x, int owner, const Index<D>& cell) const;
   void exchange();
   void close_sides();
   void set_solid_velocity(std::array<Field, D>& u, float open_at_most) const;
@@ -84,7 +93,9 @@ class DomainMapping {
   Change change_;
   std::array<Storage<float>, D> open_, expiry_;
   std::array<Storage<std::uint8_t>, D> owner_;
-  std::vector<CellBox<D>> reach_;
+  std::vector<SurfaceFaces<D>> surface_;
+  std::vector<CellBox<D>> reach_;  ///< cells whose faces a solid that moves can close; whole block
+                                   ///< for others
   std::array<int, 2> moving_planes_{};
 
   struct Swept {

@@ -17,6 +17,7 @@ namespace {
 
 constexpr double growth = 1.1;       // of the time step from one step to the next
 constexpr double slip_limit = 0.05;  // of the largest speed, above which the step is cut
+constexpr int slip_look = 8;         // steps from one look at the slip to the next
 
 }  // namespace
 
@@ -183,13 +184,13 @@ void Simulation<D>::move_solids(double dt) {
 
 /// The paper's equations in the order in which they are solved.
 template <int D>
-void Simulation<D>::move_cloth_and_water(double dt) {
+void Simulation<D>::move_cloth_and_water(double dt, bool measure_slip) {
   flow_.predict(dt);                 // Eq. (1) without pressure and cloth
   if (coupling_) coupling_->push();  // cloth solve; f = S F, Eq. (3)
   const auto project = [&] { return flow_.project(case_.solver.divergence, most_cycles()); };
-  auto flow = project();                                     // Eq. (2)
-  while (coupling_ && coupling_->again()) flow = project();  // with the force of a better X^n+1
-  if (coupling_) last_.cloth = coupling_->move();            // dX/dt = U, Eqs. (5), (6)
+  auto flow = project();                                       // Eq. (2)
+  while (coupling_ && coupling_->again()) flow = project();    // with the force of a better X^n+1
+  if (coupling_) last_.cloth = coupling_->move(measure_slip);  // dX/dt = U, Eqs. (5), (6)
 
   last_.pressure = flow.pressure;
   last_.divergence = flow.divergence;
@@ -203,13 +204,16 @@ template <int D>
 const typename Simulation<D>::Step& Simulation<D>::step(double latest) {
   const double dt = choose_step(latest);
   move_solids(dt);  // u = u_o where psi > 0, Eq. (9)
-  move_cloth_and_water(dt);
+  const bool last_before_row = latest - last_.time <= (1 + 1e-6) * dt;
+  move_cloth_and_water(dt, last_before_row || last_.number % slip_look == 0);
   last_.time += dt;
   last_.dt = dt;
   ++last_.number;
   record_impulses(dt);
-  slip_factor_ = last_.cloth.slip > slip_limit * last_.speed ? std::max(0.1, 0.7 * slip_factor_)
-                                                             : std::min(1.0, 1.02 * slip_factor_);
+  if (last_.cloth.looked)
+    slip_factor_ = last_.cloth.slip > slip_limit * last_.speed
+                       ? std::max(0.1, 0.7 * slip_factor_)
+                       : std::min(1.0, std::pow(1.02, slip_look) * slip_factor_);
   caution_ = std::min(1.0, 1.02 * caution_);
   watch();
   return last_;

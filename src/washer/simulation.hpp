@@ -84,7 +84,7 @@ class Simulation {
   double choose_step(double latest);
   int most_cycles() const;
   void move_solids(double dt);
-  void move_cloth_and_water(double dt);
+  void move_cloth_and_water(double dt, bool measure_slip);
   void record_impulses(double dt);
   void watch() const;
   WaterState<D> water() const;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "support/wash_tub.hpp"
 
@@ -71,6 +72,41 @@ void expect_followed_as_fresh(double shift) {
 }
 TEST(Mapping, SkippedFacesAreTheSameAsFreshOnes) { expect_followed_as_fresh(0); }
 TEST(Mapping, SkippedFacesAreTheSameAsFreshOnesWhenShifted) { expect_followed_as_fresh(0.2); }
+
+/// The list of faces in solids has each of them once, in the order of memory, also after faces have
+/// opened and closed: all of the solid that turns, of the others at least those at the water.
+void expect_whole_surface(double gamma) {
+  const auto mesh = testing::wash_mesh(24);
+  const Grid<3> grid(mesh, Parallel(), granularity(mesh));
+  DomainMapping<3> mapping(grid, testing::wash_solids(true), gamma);
+  for (int step = 1; step <= 100; ++step) mapping.update(3e-3 * step);
+  const auto& block = grid.block();
+  for (int d = 0; d < 3; ++d) {
+    const float* open = mapping.open()[d];
+    std::vector<bool> listed(static_cast<std::size_t>(block.size));
+    long last = -1;
+    for (const auto& face : mapping.surface(d)) {
+      EXPECT_GT(face.p, last);
+      last = face.p;
+      listed[static_cast<std::size_t>(face.p)] = true;
+      EXPECT_LT(open[face.p], 1);
+    }
+    for (int k = 0; k < block.planes(); ++k)
+      for (int j = 0; j < block.rows(); ++j)
+        for (int i = 0; i < block.width(); ++i) {
+          const long p = block.at({i, j, k});
+          bool at_water = false;
+          for (const long s : block.stride) at_water |= open[p - s] >= 1 || open[p + s] >= 1;
+          const int owner = mapping.owner(d)[p];
+          if (open[p] < 1 && (owner == 1 || (owner == 0 && at_water)))
+            EXPECT_TRUE(listed[static_cast<std::size_t>(p)])
+                << d << ": " << i << " " << j << " " << k;
+        }
+  }
+}
+
+TEST(Mapping, ListsItsSurface) { expect_whole_surface(0); }
+TEST(Mapping, ListsItsSurfaceWhenSmooth) { expect_whole_surface(0.02); }
 
 }  // namespace
 }  // namespace washtub

@@ -91,7 +91,9 @@ std::pair<Vec<D>, Vec<D>> viscous_end(WaterBox<D>& box, bool calm) {
   box.flow.keep_prediction();
   Components<D> pushed;
   for (auto& u : pushed) u = box.grid.make_field();
-  box.flow.provisional(pushed);
+  const auto provisional = box.flow.provisional();
+  for (int d = 0; d < D; ++d)
+    box.for_cells([&](const Index<D>&, long p) { pushed[d][p] = provisional.component(d)(p); });
   if (calm) {
     for (int d = 0; d < D; ++d)
       box.for_cells([&](const Index<D>&, long p) { box.flow.velocity()[d][p] = pushed[d][p]; });

@@ -112,6 +112,7 @@ TEST(Observer, SlipIsAShareOfTheSpeed) {
   const auto watch = [&](double speed, double slip) {
     step.speed = speed;
     step.cloth.slip = slip;
+    step.cloth.looked = true;
     observer.watch(step);
     return observer.extremes();
   };
