@@ -35,6 +35,8 @@ class Prediction {
   template <int c, bool pushed>
   void start_row(int j, int k, const Weights& weights);
   void start_rows(int j, int k, const Weights& weights);
+  double row_share(int j, int k) const;
+  double clash_share(int axis) const;
   void relax_row(int c, int j, int k, int colour, double omega);
   void take_push_back(int j, int k, double push);
 
@@ -44,6 +46,7 @@ class Prediction {
   std::array<double, D> diffusion_{};  ///< nu dt / (2 h^2)
   std::vector<double> row_buffer_;
   std::array<std::vector<double>, 2> colour_;  ///< 1 on the cells of a colour, else 0
+  std::array<bool, D> odd_{};  ///< axes along which first and last are neighbours of one colour
 };
 
 }  // namespace washtub

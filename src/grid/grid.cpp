@@ -1,6 +1,7 @@
 #include "grid/grid.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "base/error.hpp"
@@ -8,9 +9,21 @@
 namespace washtub {
 
 std::array<int, 2> cut_axis(int n, int unit, int parts, int part) {
-  const int units = (n + unit - 1) / unit;
-  const auto edge = [&](int p) { return std::min(n, (units * p + parts - 1) / parts * unit); };
+  const int units = (n + unit - 1) / unit;  // the last one may be short
+  const auto edge = [&](int p) {
+    if (p == parts) return n;
+    const double even = static_cast<double>(n) * p / (static_cast<double>(parts) * unit);
+    const int nearest = static_cast<int>(std::lround(even));
+    return unit * std::clamp(nearest, p, units - parts + p);
+  };
   return {edge(part), edge(part + 1) - edge(part)};
+}
+
+/// Cells of the largest part.
+int largest_part(int n, int unit, int parts) {
+  int largest = 0;
+  for (int p = 0; p < parts; ++p) largest = std::max(largest, cut_axis(n, unit, parts, p)[1]);
+  return largest;
 }
 
 template <int D>
@@ -26,14 +39,14 @@ Index<D> choose_ranks(const Index<D>& cells, const Granularity<D>& unit, int siz
     if (D == 2 && last != size) continue;
     long volume = cells[0], surface = 0;
     bool fits = true;
+    for (int d = 1; d < D; ++d) fits = fits && ranks[d] <= (cells[d] + unit[d] - 1) / unit[d];
+    if (!fits) continue;
     for (int d = 1; d < D; ++d) {
-      const int largest = cut_axis(cells[d], unit[d], ranks[d], 0)[1];
-      fits = fits && ranks[d] <= (cells[d] + unit[d] - 1) / unit[d];
-      volume *= largest;
+      volume *= largest_part(cells[d], unit[d], ranks[d]);
       if (ranks[d] > 1) surface += 1;
     }
     const long cost = 16 * volume + surface * volume;
-    if (fits && (best_cost < 0 || cost <= best_cost)) best = ranks, best_cost = cost;
+    if (best_cost < 0 || cost <= best_cost) best = ranks, best_cost = cost;
   }
   if (best_cost < 0)
     throw InputError(std::to_string(size) + " ranks are too many for this grid: try fewer (-n)");

@@ -8,8 +8,17 @@ namespace washtub {
 namespace {
 
 TEST(CutAxis, PartsCoverTheAxisWithoutGapsOnMultiplesOfTheUnit) {
-  for (const auto [n, unit] : {std::array{64, 1}, {64, 8}, {48, 16}, {7, 1}, {20, 4}})
-    for (int parts = 1; parts <= std::min(7, n / unit); ++parts) {
+  for (const auto [n, unit] : {std::array{64, 1},
+                               {64, 8},
+                               {48, 16},
+                               {7, 1},
+                               {20, 4},
+                               {33, 8},
+                               {65, 16},
+                               {50, 8},
+                               {97, 32},
+                               {9, 8}})
+    for (int parts = 1; parts <= std::min(7, (n + unit - 1) / unit); ++parts) {
       int next = 0;
       for (int part = 0; part < parts; ++part) {
         const auto [first, count] = cut_axis(n, unit, parts, part);
@@ -32,6 +41,16 @@ TEST(CutAxis, LargestAndSmallestPartDifferByOneUnitAtMost) {
     }
     EXPECT_LE(most - least, 8) << parts << " parts";
   }
+}
+
+TEST(CutAxis, EdgesAreTheNearestToAnEvenCut) {
+  EXPECT_EQ(cut_axis(33, 8, 2, 0)[1], 16);
+  EXPECT_EQ(cut_axis(65, 16, 2, 0)[1], 32);
+  EXPECT_EQ(cut_axis(50, 8, 2, 0)[1], 24);
+}
+
+TEST(ChooseRanks, TheLargestPartCountsWhereverItLies) {
+  EXPECT_EQ((choose_ranks<3>({40, 39, 39}, {1, 13, 8}, 3)), (Index<3>{1, 3, 1}));
 }
 
 TEST(ChooseRanks, UsesEveryRankAndLeavesRowsWhole) {

@@ -21,7 +21,7 @@ template <int D>
 Multigrid<D>::Multigrid(const Grid<D>& grid, double density, std::array<const float*, D> open)
     : grid_(grid), krylov_(grid, finest_) {
   const auto& mesh = grid.mesh();
-  finest_.allocate(grid.block());
+  finest_.allocate(grid.block(), mesh.cells, mesh.periodic);
   finest_.halo = Halo<D>(grid.comm(), grid.block(), mesh.periodic[0]);
   finest_.open = open;
   for (int d = 0; d < D; ++d) finest_.g[d] = 1.0 / (density * mesh.h[d] * mesh.h[d]);
@@ -51,7 +51,7 @@ Block<D> Multigrid<D>::coarse_block(std::size_t l, const Coarsening<D>& level,
   Block<D> part = finer;
   for (int d = 0; d < D; ++d) {
     part.offset[d] /= level.factor[d];
-    part.count[d] /= level.factor[d];
+    part.count[d] = coarse_count(part.count[d], level.factor[d]);
   }
   if (!level.gathered || gather_ || grid_.parallel().size() == 1)
     return Block<D>(part.offset, part.count);
@@ -67,7 +67,7 @@ void Multigrid<D>::make_level(std::size_t l, const Coarsening<D>& level, const B
   auto& c = coarse_[l];
   const bool whole = gather_ || grid_.parallel().size() == 1;
   c.factor = level.factor;
-  c.allocate(block);
+  c.allocate(block, level.cells, grid_.mesh().periodic);
   c.halo = Halo<D>(whole ? self_ : grid_.comm(), block, grid_.mesh().periodic[0]);
   for (int d = 0; d < D; ++d) {
     c.g[d] = static_cast<float>(1.0 / (density * level.h[d] * level.h[d]));
@@ -121,15 +121,16 @@ void Multigrid<D>::clear_solid(Field& field, int k0, int k1) const {
     }
 }
 
-/// Open fractions of the coarse planes [K0, K1): mean of the fine faces that tile each coarse face.
+/// Open fractions of the coarse planes [K0, K1): mean of the fine faces that tile each coarse face;
+/// those beyond the last fine cell are closed.
 template <int D>
 template <class T>
 void Multigrid<D>::coarsen_open(const Level<D, T>& fine, std::size_t l, int K0, int K1) {
   auto& c = coarse_[l];
   const int fx = c.factor[0], fy = D == 3 ? c.factor[1] : 1, fz = c.factor[D - 1];
-  const int rows = fine.block.rows() / fy, width = c.block.width();
-  for (int K = K0; K < K1; ++K)
-    for (int J = 0; J < rows; ++J) {
+  const int planes = fine.block.planes(), rows = fine.block.rows(), width = c.block.width();
+  for (int K = K0; K < std::min(K1, coarse_count(planes, fz)); ++K)
+    for (int J = 0; J < coarse_count(rows, fy); ++J) {
       const long q = c.block.row(J + (D == 3 ? c.place[1] : 0), K + c.place[D - 1]);
       for (int d = 0; d < D; ++d) {
         float* __restrict__ o = coarse_open_[l][d].data() + q;
@@ -137,18 +138,20 @@ void Multigrid<D>::coarsen_open(const Level<D, T>& fine, std::size_t l, int K0, 
         const int across_z = d == D - 1 ? 1 : fz;
         const float weight = 1.0F / static_cast<float>(across_x * across_y * across_z);
         std::fill_n(o, width, 0.0F);
-        for (int b = 0; b < across_z; ++b)
-          for (int a = 0; a < across_y; ++a) {
-            const float* f = fine.open[d] + fine.block.row(J * fy + a, K * fz + b);
-            for (int e = 0; e < across_x; ++e)
-              for (int i = 0; i < width; ++i) o[i] += weight * f[fx * i + e];
+        for (int k = K * fz; k < std::min(K * fz + across_z, planes); ++k)
+          for (int j = J * fy; j < std::min(J * fy + across_y, rows); ++j) {
+            const float* f = fine.open[d] + fine.block.row(j, k);
+            for (int e = 0; e < across_x; ++e) {
+              const int whole = e == 0 ? width : fine.block.width() / fx;
+              for (int i = 0; i < whole; ++i) o[i] += weight * f[fx * i + e];
+            }
           }
       }
     }
 }
 
-/// Mean over the children of the residual (or of the right-hand side, where the fine level starts
-/// from zero); returns the largest residual.
+/// Mean over the children, missing ones counted as 0, of the residual (or of the right-hand side,
+/// where the fine level starts from zero); returns the largest residual.
 template <int D>
 template <class T>
 double Multigrid<D>::restrict_plane(const Level<D, T>& fine, Level<D, float>& c, int K,
@@ -157,14 +160,15 @@ double Multigrid<D>::restrict_plane(const Level<D, T>& fine, Level<D, float>& c,
   const float weight = 1.0F / static_cast<float>(fx * fy * fz);
   double largest = 0;
   float* __restrict__ sum = row_sum_.data();
-  for (int J = 0; J < fine.block.rows() / fy; ++J) {
-    std::memset(sum, 0, sizeof(float) * static_cast<std::size_t>(fine.block.width()));
-    for (int b = 0; b < fz; ++b)
-      for (int a = 0; a < fy; ++a) {
+  const int planes = fine.block.planes(), rows = fine.block.rows();
+  for (int J = 0; J < coarse_count(rows, fy); ++J) {
+    std::memset(sum, 0, sizeof(float) * static_cast<std::size_t>(fx * c.block.width()));
+    for (int k = K * fz; k < std::min((K + 1) * fz, planes); ++k)
+      for (int j = J * fy; j < std::min((J + 1) * fy, rows); ++j) {
         if (source)
-          source_row(fine, J * fy + a, K * fz + b, sum);
+          source_row(fine, j, k, sum);
         else
-          largest = std::max(largest, residual_row(fine, J * fy + a, K * fz + b, sum));
+          largest = std::max(largest, residual_row(fine, j, k, sum));
       }
     float* __restrict__ o =
         c.b.data() + c.block.row(J + (D == 3 ? c.place[1] : 0), K + c.place[D - 1]);
@@ -183,7 +187,7 @@ double Multigrid<D>::restrict_plane(const Level<D, T>& fine, Level<D, float>& c,
 template <int D>
 template <class T>
 void Multigrid<D>::restrict_source(const Level<D, T>& fine, std::size_t coarse) {
-  const int planes = fine.block.planes() / coarse_[coarse].factor[D - 1];
+  const int planes = coarse_count(fine.block.planes(), coarse_[coarse].factor[D - 1]);
   for (int K = 0; K < planes; ++K) restrict_plane(fine, coarse_[coarse], K, true);
 }
 
@@ -214,7 +218,7 @@ double Multigrid<D>::smooth(Level<D, T>& fine, std::size_t coarse, Start start, 
       fine.block, fine.halo, first + 2 * sweeps, stage,
       [&](int) { fine.halo.exchange(fine.x.data()); },
       [&](int k) {
-        if (residual && k % fz == fz - 1)
+        if (residual && (k % fz == fz - 1 || k == fine.block.planes() - 1))
           largest = std::max(largest, restrict_plane(fine, c, k / fz, false));
       });
   return largest;
