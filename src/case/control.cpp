@@ -60,7 +60,8 @@ Table<SolverCase> solver_table() {
   Table<SolverCase> table("The pressure solver.");
   table
       .key("divergence", &SolverCase::divergence, number({.least = 1e-14, .most = 1e-1}),
-           "stop when |div u| h/U is below this in every cell of water")
+           "stop when |div u| h/U is below this in the root mean square over the water, and below "
+           "100 times this in every cell")
       .key("max_cycles", &SolverCase::max_cycles, integer(between(1, 1000)),
            "most multigrid cycles in a step");
   return table;

@@ -59,8 +59,8 @@ class Flow {
   /// force(). It then starts from the last pressure.
   void return_to_prediction();
 
-  /// On return |div u| h <= tolerance U in every fluid cell and velocity() is u at the new time,
-  /// ghosts current. The pressure includes the reaction to force().
+  /// On return Report::divergence is at most `tolerance` and velocity() is u at the new time, ghosts
+  /// current. The pressure includes the reaction to force().
   Report project(double tolerance, int max_cycles);
 
   /// Forgets pressure, force and the steps so far; the velocity stays.

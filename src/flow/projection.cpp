@@ -3,9 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/tally.hpp"
 #include "grid/wavefront.hpp"
 
 namespace washtub {
+
+namespace {
+
+constexpr double most_over_rms = 100;  // how far a single cell may be from the root mean square
+
+}  // namespace
 
 template <int D>
 Projection<D>::Projection(FlowFields<D>& water)
@@ -124,8 +131,10 @@ double Projection<D>::start(double dt, bool again) {
       [&](int k) {
         for (int j = 0; j < grid.block().rows(); ++j) start_row(j, k, dt, guess, again);
       });
-  warm_start_.set_forced(grid.parallel().any(largest.force > 0));
-  return grid.parallel().max(largest.speed);
+  Tally tally{{}, {largest.speed, largest.force}};
+  combine(grid.parallel(), tally);
+  warm_start_.set_forced(tally.max[1] > 0);
+  return tally.max[0];
 }
 
 template <int D>
@@ -135,10 +144,11 @@ void Projection<D>::correct(double dt, Report& report) {
   for (int k = 0; k < block.planes(); ++k)
     for (int j = 0; j < block.rows(); ++j) correct_row(j, k, dt, report);
   water_.refresh_ghosts();
-  report.speed = parallel.max(report.speed);
-  report.courant = parallel.max(report.courant);
-  report.kinetic =
-      0.5 * water_.density * water_.grid.mesh().cell_volume() * parallel.sum(report.kinetic);
+  Tally tally{{report.kinetic}, {report.speed, report.courant}};
+  combine(parallel, tally);
+  report.speed = tally.max[0];
+  report.courant = tally.max[1];
+  report.kinetic = 0.5 * water_.density * water_.grid.mesh().cell_volume() * tally.sum[0];
 }
 
 template <int D>
@@ -147,8 +157,10 @@ typename Projection<D>::Report Projection<D>::project(double dt, const Accuracy&
   const double speed = std::max(start(dt, again), 1e-30);
   const double scale = water_.grid.mesh().h.maxCoeff() / speed;
   Report report;
-  report.pressure = multigrid_.solve(accuracy.divergence / (scale * dt), accuracy.max_cycles);
-  report.divergence = report.pressure.residual * dt * scale;
+  const double rms = accuracy.divergence / (scale * dt);
+  report.pressure = multigrid_.solve({most_over_rms * rms, rms}, accuracy.max_cycles);
+  report.divergence =
+      std::max(report.pressure.rms, report.pressure.residual / most_over_rms) * dt * scale;
   correct(dt, report);
   water_.speed = report.speed;
   return report;

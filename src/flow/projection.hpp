@@ -15,14 +15,16 @@ class Projection {
 
   struct Report {
     SolveReport pressure;
-    double divergence = 0;  ///< bound of |div u| h / U after the projection
-    double speed = 0;       ///< largest |u| component on faces [m/s]
-    double courant = 0;     ///< largest sum over axes of |u_d| / h_d [1/s]
-    double kinetic = 0;     ///< kinetic energy of the water [J] (per metre in 2-D)
+    /// Of |div u| h / U in the cells of water, h the largest spacing, U the largest speed: the root
+    /// of the mean square, or a hundredth of the largest where that is more.
+    double divergence = 0;
+    double speed = 0;    ///< largest |u| component on faces [m/s]
+    double courant = 0;  ///< largest sum over axes of |u_d| / h_d [1/s]
+    double kinetic = 0;  ///< kinetic energy of the water [J] (per metre in 2-D)
   };
   /// How well and how long to solve.
   struct Accuracy {
-    double divergence;  ///< largest |div u| h / U
+    double divergence;  ///< bound of Report::divergence
     int max_cycles;
   };
   /// From u* to u of the new time, see Flow::project(). `again`: the last pressure was of the same

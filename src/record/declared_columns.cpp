@@ -61,8 +61,8 @@ const std::vector<DeclaredColumn<Sample>> run = {
      [](const Sample& s) { return s.step.courant; },
      numerics("Courant number", "Courant number")},
     {{names::divergence, pure_number,
-      "largest divergence of the water, times the cell h over the "
-      "largest speed U"},
+      "divergence of the water, times the cell h over the largest speed U: root mean square, or a "
+      "hundredth of the largest where that is more"},
      [](const Sample& s) { return s.step.divergence; },
      {.fold = "Numerics",
       .title = "Divergence",

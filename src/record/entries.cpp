@@ -86,8 +86,8 @@ const std::vector<DeclaredEntry<RunSource>> run = {
     {{names::largest_courant, pure_number, "of all steps"},
      [](const RunSource& s) -> Json { return s.end.extremes.courant; }},
     {{names::largest_divergence, pure_number,
-      "of all steps: of the water, times the cell h over the "
-      "largest speed U"},
+      "of all steps: of the water, times the cell h over the largest speed U; root mean square, or "
+      "a hundredth of the largest cell's where that is more"},
      [](const RunSource& s) -> Json { return s.end.extremes.divergence; }},
     {{"pressure cycles per step", pure_number, "of the pressure solver"},
      [](const RunSource& s) -> Json {

@@ -9,8 +9,21 @@ using testing::WashTub;
 
 constexpr double dt = 5e-3 / testing::peak_speed;  // 40 times the paper's step
 
-/// On return of project(), |div u| h <= tolerance U in every water cell: measured from the faces,
-/// with the agitator opening and closing faces at every step.
+/// Root mean square of |div u| over the cells of water, found from the faces [1/s].
+double mean_divergence(const WashTub& tub) {
+  std::array<double, 2> sums{};
+  tub.for_cells([&](const Index<3>&, long p) {
+    if (tub.flow.multigrid().inverse_diagonal()[p] == 0) return;
+    sums[0] += std::pow(tub.divergence(p), 2);
+    sums[1] += 1;
+  });
+  tub.grid.parallel().sum(std::span<double>(sums));
+  return std::sqrt(sums[0] / sums[1]);
+}
+
+/// On return of project(), |div u| h <= tolerance U in the root mean square and 100 times that in
+/// every water cell, and the report says how much: measured from the faces, with the agitator
+/// opening and closing faces at every step.
 TEST(Projection, DivergenceIsWithinTheToleranceAskedFor) {
   for (const double tolerance : {1e-4, 1e-10}) {
     WashTub tub(32, 1);
@@ -20,9 +33,35 @@ TEST(Projection, DivergenceIsWithinTheToleranceAskedFor) {
       const double scale = tub.grid.mesh().h.maxCoeff() / report.speed;
       EXPECT_TRUE(report.pressure.converged);
       EXPECT_LE(report.divergence, tolerance);
-      EXPECT_LE(tub.largest_divergence() * scale, 1.01 * tolerance + 1e-14);
+      const double rms = mean_divergence(tub) * scale, largest = tub.largest_divergence() * scale;
+      EXPECT_LE(std::max(rms, largest / 100), 1.01 * tolerance + 1e-14);
+      EXPECT_NEAR(report.divergence, std::max(rms, largest / 100), 0.05 * tolerance);
     }
   }
+}
+
+/// What the default tolerance lets through the middle of the closed tub, where nothing may pass on
+/// the whole, while the agitator turns: of the tub's water, and of what goes to and fro there.
+TEST(Projection, NoWaterIsLostThroughTheMiddleOfTheTub) {
+  WashTub tub(32, 1);
+  tub.t = 0.2;
+  const auto& h = tub.grid.mesh().h;
+  std::array<double, 3> sums{};  // net, gross, volume of water [m^3]
+  const auto middle = [&](const Index<3>& c) { return c[2] + tub.grid.block().offset[2] == 16; };
+  for (int s = 0; s < 40; ++s) {
+    tub.step(dt);
+    tub.for_cells([&](const Index<3>& c, long p) {
+      if (!middle(c)) return;
+      const double volume = dt * h[0] * h[1] * tub.flow.velocity()[2][p];
+      sums[0] += volume, sums[1] += std::abs(volume);
+    });
+  }
+  tub.for_cells([&](const Index<3>&, long p) {
+    if (tub.flow.multigrid().inverse_diagonal()[p] > 0) sums[2] += h.prod();
+  });
+  tub.grid.parallel().sum(std::span<double>(sums));
+  EXPECT_LE(std::abs(sums[0]), 1e-5 * sums[2]);
+  EXPECT_LE(std::abs(sums[0]), 1e-2 * sums[1]);
 }
 
 TEST(Projection, ClosedFacesKeepTheVelocityOfTheirSolid) {

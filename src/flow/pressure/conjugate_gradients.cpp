@@ -3,9 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/tally.hpp"
 #include "flow/pressure/components.hpp"
 
 namespace washtub {
+
+void set_residual(SolveReport& report, const Parallel& parallel, const ResidualSize& size,
+                  double cells) {
+  Tally tally{{size.squares, cells}, {size.largest}};
+  combine(parallel, tally);
+  report.residual = tally.max[0];
+  report.rms = tally.sum[1] > 0 ? std::sqrt(tally.sum[0] / tally.sum[1]) : 0;
+}
 
 template <int D>
 ConjugateGradients<D>::ConjugateGradients(const Grid<D>& grid, Level<D, double>& level)
@@ -40,12 +49,12 @@ double ConjugateGradients<D>::dot(const double* a, const double* b) const {
 }
 
 template <int D>
-double ConjugateGradients<D>::largest_residual() const {
-  double largest = 0;
+ResidualSize ConjugateGradients<D>::residual_size() const {
+  ResidualSize size;
   for_rows([&](const LevelRow<D, double>& row) {
-    for (int i = row.begin; i < row.end; ++i) largest = std::max(largest, std::abs(row.b[i]));
+    for (int i = row.begin; i < row.end; ++i) size.add({std::abs(row.b[i]), row.b[i] * row.b[i]});
   });
-  return grid_.parallel().max(largest);
+  return size;
 }
 
 /// One step along the preconditioned residual level.x, made conjugate to the step before, whose
@@ -69,8 +78,9 @@ bool ConjugateGradients<D>::improve(double& curvature) {
 }
 
 template <int D>
-SolveReport ConjugateGradients<D>::solve(const std::function<void()>& cycle, double tolerance,
-                                         SolveReport report, int max_cycles) {
+SolveReport ConjugateGradients<D>::solve(const std::function<void()>& cycle,
+                                         const Tolerance& tolerance, SolveReport report,
+                                         int max_cycles, double cells) {
   const auto n = level_.x.size();
   for (auto* a : {&solution_, &direction_, &image_, &aside_})
     if (a->size() == 0) *a = Storage<double>(n);
@@ -80,16 +90,17 @@ SolveReport ConjugateGradients<D>::solve(const std::function<void()>& cycle, dou
   double* r = level_.b.data();  // from here on the right-hand side of the cycle is the residual
   for (long i = 0; i < static_cast<long>(n); ++i) r[i] -= image_[i];
   double curvature = 0;
-  report.residual = largest_residual();
-  while (report.residual > tolerance && report.cycles < max_cycles) {
+  const auto& parallel = grid_.parallel();
+  set_residual(report, parallel, residual_size(), cells);
+  while (!tolerance.met(report) && report.cycles < max_cycles) {
     cycle();
     if (!improve(curvature)) break;
     ++report.cycles;
-    report.residual = largest_residual();
+    set_residual(report, parallel, residual_size(), cells);
   }
   std::copy_n(solution_.data(), n, level_.x.data());
   level_.halo.exchange(level_.x.data());
-  report.converged = report.residual <= tolerance;
+  report.converged = tolerance.met(report);
   return report;
 }
 

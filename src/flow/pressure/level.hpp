@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -97,18 +98,29 @@ void relax_row(Level<D, T>& l, int j, int k, int colour, T omega) {
   for (int i = row.begin; i < row.end; ++i) x[i] = fresh[i];
 }
 
-/// Adds the residual of a row to `sum` and returns its largest absolute value.
+/// How large a residual is.
+struct ResidualSize {
+  double largest = 0, squares = 0;  ///< largest absolute value, sum of squares
+
+  void add(const ResidualSize& other) {
+    largest = std::max(largest, other.largest);
+    squares += other.squares;
+  }
+};
+
+/// Adds the residual of a row to `sum` and returns its size.
 template <int D, class T>
-double residual_row(const Level<D, T>& l, int j, int k, float* __restrict__ sum) {
+ResidualSize residual_row(const Level<D, T>& l, int j, int k, float* __restrict__ sum) {
   const LevelRow<D, T> row(l, j, k);
-  T largest = 0;
-#pragma omp simd reduction(max : largest)
+  T largest = 0, squares = 0;
+#pragma omp simd reduction(max : largest) reduction(+ : squares)
   for (int i = row.begin; i < row.end; ++i) {
     const T r = row.residual(i);
     sum[i] += static_cast<float>(r);
     largest = std::max(largest, std::abs(r));
+    squares += r * r;
   }
-  return static_cast<double>(largest);
+  return {static_cast<double>(largest), static_cast<double>(squares)};
 }
 
 /// Adds the right-hand side of a row to `sum`.

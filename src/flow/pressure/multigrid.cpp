@@ -40,6 +40,7 @@ Multigrid<D>::Multigrid(const Grid<D>& grid, double density, std::array<const fl
     block = coarse_block(l, hierarchy[l], block);
     make_level(l, hierarchy[l], block, density);
   }
+  live_.assign(finest_.begin.size(), 0);
   row_sum_.resize(static_cast<std::size_t>(mesh.cells[0]) + 64);
   update();
 }
@@ -89,6 +90,7 @@ void Multigrid<D>::update(int k0, int k1) {
       for (int j = 0; j < level.block.rows(); ++j) finish_row(level, j, k);
   };
   finish(finest_, k0 - 1, k1);
+  count_live(k0 - 1, k1);
   for (std::size_t l = 0; l < coarse_.size(); ++l) {
     auto& c = coarse_[l];
     k0 = k0 / c.factor[D - 1];
@@ -107,6 +109,19 @@ void Multigrid<D>::update(int k0, int k1) {
     c.halo.exchange(std::span<float* const>(arrays));
     finish(c, k0 - 1, k1);
   }
+}
+
+template <int D>
+void Multigrid<D>::count_live(int k0, int k1) {
+  const auto& block = finest_.block;
+  for (int k = std::max(k0, 0); k < std::min(k1, block.planes()); ++k)
+    for (int j = 0; j < block.rows(); ++j) {
+      const float* id = finest_.inverse_diagonal.data() + block.row(j, k);
+      int& live = live_[static_cast<std::size_t>(block.row_index(j, k))];
+      live_cells_ -= live;
+      live = static_cast<int>(std::count_if(id, id + block.width(), [](float v) { return v > 0; }));
+      live_cells_ += live;
+    }
 }
 
 template <int D>
@@ -151,14 +166,14 @@ void Multigrid<D>::coarsen_open(const Level<D, T>& fine, std::size_t l, int K0, 
 }
 
 /// Mean over the children, missing ones counted as 0, of the residual (or of the right-hand side,
-/// where the fine level starts from zero); returns the largest residual.
+/// where the fine level starts from zero); returns the size of the residual.
 template <int D>
 template <class T>
-double Multigrid<D>::restrict_plane(const Level<D, T>& fine, Level<D, float>& c, int K,
-                                    bool source) {
+ResidualSize Multigrid<D>::restrict_plane(const Level<D, T>& fine, Level<D, float>& c, int K,
+                                          bool source) {
   const int fx = c.factor[0], fy = D == 3 ? c.factor[1] : 1, fz = c.factor[D - 1];
   const float weight = 1.0F / static_cast<float>(fx * fy * fz);
-  double largest = 0;
+  ResidualSize size;
   float* __restrict__ sum = row_sum_.data();
   const int planes = fine.block.planes(), rows = fine.block.rows();
   for (int J = 0; J < coarse_count(rows, fy); ++J) {
@@ -168,7 +183,7 @@ double Multigrid<D>::restrict_plane(const Level<D, T>& fine, Level<D, float>& c,
         if (source)
           source_row(fine, j, k, sum);
         else
-          largest = std::max(largest, residual_row(fine, j, k, sum));
+          size.add(residual_row(fine, j, k, sum));
       }
     float* __restrict__ o =
         c.b.data() + c.block.row(J + (D == 3 ? c.place[1] : 0), K + c.place[D - 1]);
@@ -181,7 +196,7 @@ double Multigrid<D>::restrict_plane(const Level<D, T>& fine, Level<D, float>& c,
       for (int i = 0; i < width; ++i) o[i] = weight * (sum[2 * i] + sum[2 * i + 1]);
     }
   }
-  return largest;
+  return size;
 }
 
 template <int D>
@@ -192,15 +207,15 @@ void Multigrid<D>::restrict_source(const Level<D, T>& fine, std::size_t coarse) 
 }
 
 /// Takes the coarse correction (set or add), then sweeps; with `residual` restricts what is left
-/// and returns its largest value on this rank.
+/// and returns its size on this rank.
 template <int D>
 template <class T>
-double Multigrid<D>::smooth(Level<D, T>& fine, std::size_t coarse, Start start, int sweeps,
-                            bool residual) {
+ResidualSize Multigrid<D>::smooth(Level<D, T>& fine, std::size_t coarse, Start start, int sweeps,
+                                  bool residual) {
   auto& c = coarse_[coarse];
   const int first = start == Start::keep ? 0 : 1;
   const int fz = c.factor[D - 1];
-  double largest = 0;
+  ResidualSize size;
   const auto stage = [&](int s, int k, int j0, int j1) {
     for (int j = j0; j < j1; ++j) {
       if (s < first) {
@@ -219,9 +234,9 @@ double Multigrid<D>::smooth(Level<D, T>& fine, std::size_t coarse, Start start, 
       [&](int) { fine.halo.exchange(fine.x.data()); },
       [&](int k) {
         if (residual && (k % fz == fz - 1 || k == fine.block.planes() - 1))
-          largest = std::max(largest, restrict_plane(fine, c, k / fz, false));
+          size.add(restrict_plane(fine, c, k / fz, false));
       });
-  return largest;
+  return size;
 }
 
 template <int D>
@@ -254,22 +269,24 @@ void Multigrid<D>::solve_level(std::size_t l) {
 }
 
 template <int D>
-SolveReport Multigrid<D>::solve(double tolerance, int max_cycles) {
+SolveReport Multigrid<D>::solve(const Tolerance& tolerance, int max_cycles) {
   const auto& parallel = grid_.parallel();
   SolveReport report;
   finest_.halo.exchange(finest_.x.data());
-  report.residual = parallel.max(smooth(finest_, 0, Start::keep, 0, true));
+  set_residual(report, parallel, smooth(finest_, 0, Start::keep, 0, true), live_cells_);
   int slow = 0;
-  while (report.residual > tolerance && report.cycles < max_cycles) {
+  while (!tolerance.met(report) && report.cycles < max_cycles) {
     solve_level(0);
     const double before = report.residual;
-    report.residual = parallel.max(smooth(finest_, 0, Start::add, finest_sweeps, true));
+    set_residual(report, parallel, smooth(finest_, 0, Start::add, finest_sweeps, true),
+                 live_cells_);
     ++report.cycles;
     slow = report.residual > stall * before ? slow + 1 : 0;
-    if (slow == 2 && report.residual > tolerance)
-      return krylov_.solve([this] { cycle_from_zero(); }, tolerance, report, max_cycles);
+    if (slow == 2 && !tolerance.met(report))
+      return krylov_.solve([this] { cycle_from_zero(); }, tolerance, report, max_cycles,
+                           live_cells_);
   }
-  report.converged = report.residual <= tolerance;
+  report.converged = tolerance.met(report);
   return report;
 }
 

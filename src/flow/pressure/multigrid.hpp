@@ -45,9 +45,9 @@ class Multigrid {
   void clear_solid(Field& field, int k0, int k1) const;
   const float* inverse_diagonal() const { return finest_.inverse_diagonal.data(); }
 
-  /// Improves pressure() until the residual is at most `tolerance` in every live cell.
+  /// Improves pressure() until the residual is within `tolerance`.
   /// On return the ghosts of the pressure are current.
-  SolveReport solve(double tolerance, int max_cycles);
+  SolveReport solve(const Tolerance& tolerance, int max_cycles);
 
  private:
   enum class Start { keep, set, add };
@@ -55,9 +55,10 @@ class Multigrid {
   Block<D> coarse_block(std::size_t l, const Coarsening<D>& level, const Block<D>& finer);
   void make_level(std::size_t l, const Coarsening<D>& level, const Block<D>& block, double density);
   template <class T>
-  double smooth(Level<D, T>& fine, std::size_t coarse, Start start, int sweeps, bool residual);
+  ResidualSize smooth(Level<D, T>& fine, std::size_t coarse, Start start, int sweeps,
+                      bool residual);
   template <class T>
-  double restrict_plane(const Level<D, T>& fine, Level<D, float>& coarse, int K, bool source);
+  ResidualSize restrict_plane(const Level<D, T>& fine, Level<D, float>& coarse, int K, bool source);
   template <class T>
   void restrict_source(const Level<D, T>& fine, std::size_t coarse);
   void solve_level(std::size_t l);
@@ -66,6 +67,7 @@ class Multigrid {
   void coarsen_open(const Level<D, T>& fine, std::size_t coarse, int K0, int K1);
   void gather_source(std::size_t l);
   void cycle_from_zero();
+  void count_live(int k0, int k1);
 
   const Grid<D>& grid_;
   Level<D, double> finest_;
@@ -74,6 +76,8 @@ class Multigrid {
   std::size_t first_gathered_;
   std::unique_ptr<GatherBlocks<D>> gather_;
   std::vector<float> row_sum_;
+  std::vector<int> live_;          ///< live cells in each row of the finest level
+  double live_cells_ = 0;          ///< on this rank
   MPI_Comm self_ = MPI_COMM_NULL;  ///< this rank alone, for levels that it holds whole
   ConjugateGradients<D> krylov_;
 };
