@@ -254,16 +254,18 @@ void Multigrid<D>::solve_coarsest(Level<D, float>& l) {
   }
 }
 
-/// x = approximately A^-1 b on a coarse level.
+/// x = approximately A^-1 b on a coarse level. A full cycle takes its correction from a full one
+/// and then a simple one of the next level (an F-cycle, so that level l is visited l + 1 times and
+/// needs few messages), a simple one from a simple one alone.
 template <int D>
-void Multigrid<D>::solve_level(std::size_t l) {
+void Multigrid<D>::solve_level(std::size_t l, Cycle cycle) {
   gather_source(l);
   auto& level = coarse_[l];
   if (l + 1 == coarse_.size()) return solve_coarsest(level);
-  const int visits = l + 2 < coarse_.size() ? 2 : 1;  // W-cycle
+  const int visits = cycle == Cycle::full && l + 2 < coarse_.size() ? 2 : 1;
   restrict_source(level, l + 1);
   for (int v = 0; v < visits; ++v) {
-    solve_level(l + 1);
+    solve_level(l + 1, v == 0 ? cycle : Cycle::simple);
     smooth(level, l + 1, v == 0 ? Start::set : Start::add, coarse_sweeps, v + 1 < visits);
   }
 }
@@ -276,7 +278,7 @@ SolveReport Multigrid<D>::solve(const Tolerance& tolerance, int max_cycles) {
   set_residual(report, parallel, smooth(finest_, 0, Start::keep, 0, true), live_cells_);
   int slow = 0;
   while (!tolerance.met(report) && report.cycles < max_cycles) {
-    solve_level(0);
+    solve_level(0, Cycle::full);
     const double before = report.residual;
     set_residual(report, parallel, smooth(finest_, 0, Start::add, finest_sweeps, true),
                  live_cells_);
@@ -294,7 +296,7 @@ SolveReport Multigrid<D>::solve(const Tolerance& tolerance, int max_cycles) {
 template <int D>
 void Multigrid<D>::cycle_from_zero() {
   restrict_source(finest_, 0);
-  solve_level(0);
+  solve_level(0, Cycle::full);
   smooth(finest_, 0, Start::set, finest_sweeps, false);
 }
 

@@ -19,7 +19,7 @@ struct RowRange {
 /// Geometric multigrid for the pressure of a partly solid box,
 ///   sum over faces of  phi (p - p_neighbour) / (rho h^2)  =  b ,
 /// with phi the open fraction of each face: closed faces carry no pressure gradient, Eq. (9) in the
-/// sharp limit. Stationary W-cycles are the solver; where pockets of fluid make them stall,
+/// sharp limit. Stationary F-cycles are the solver; where pockets of fluid make them stall,
 /// flexible conjugate gradients take over with the cycle as preconditioner.
 template <int D>
 class Multigrid {
@@ -61,7 +61,8 @@ class Multigrid {
   ResidualSize restrict_plane(const Level<D, T>& fine, Level<D, float>& coarse, int K, bool source);
   template <class T>
   void restrict_source(const Level<D, T>& fine, std::size_t coarse);
-  void solve_level(std::size_t l);
+  enum class Cycle { full, simple };
+  void solve_level(std::size_t l, Cycle cycle);
   void solve_coarsest(Level<D, float>& l);
   template <class T>
   void coarsen_open(const Level<D, T>& fine, std::size_t coarse, int K0, int K1);
