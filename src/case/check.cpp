@@ -74,6 +74,7 @@ void check_case(const CaseFile& file, const Node& root) {
   check_sides(file.result, root);
   check_box(file, root);
   check_names(file, root);
+  check_solids(file, root);
   check_times(file.result, root);
   check_cloth(file, root);
   check_probes(file.result, root);

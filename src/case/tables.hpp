@@ -37,6 +37,7 @@ Table<ScaleCase> scale_table();
 /// @throws InputError
 void check_case(const CaseFile& file, const Node& root);
 void check_sides(const Case& whole, const Node& root);
+void check_solids(const CaseFile& file, const Node& root);
 void check_cloth(const CaseFile& file, const Node& root);
 void check_probes(const Case& whole, const Node& root);
 

@@ -56,7 +56,6 @@ double Barrier<D>::margin(const Vec<D>& normal) const {
   return 0.5 * normal.cwiseProduct(grid_.mesh().h).norm();
 }
 
-/// The image of x within a periodic box.
 template <int D>
 Vec<D> Barrier<D>::inside(Vec<D> x) const {
   const auto& mesh = grid_.mesh();
@@ -87,8 +86,11 @@ double Barrier<D>::for_near(const Vec<D>& x, Visit&& visit) const {
   }
   const auto& mesh = grid_.mesh();
   for (int d = 0; d < D; ++d) {
-    if (mesh.periodic[d]) continue;
     const double high = mesh.lower[d] + mesh.h[d] * mesh.cells[d];
+    if (mesh.periodic[d]) {  // images that the solids beyond it have in the box are not looked at
+      if (!poses.empty()) clear = std::min({clear, point[d] - mesh.lower[d], high - point[d]});
+      continue;
+    }
     look(
         mesh.lower[d] - x[d], [&] { return Vec<D>(-Vec<D>::Unit(d)); }, no_solid);
     look(

@@ -46,6 +46,9 @@ class Barrier {
   /// that of X as given.
   Report accept(std::vector<Vec<D>>& X, double dt);
 
+  /// The image of x within a periodic box.
+  Vec<D> inside(Vec<D> x) const;
+
  private:
   struct Surface {
     double psi;  ///< [m], negative in the water
@@ -57,7 +60,6 @@ class Barrier {
   template <class Visit>
   double for_near(const Vec<D>& x, Visit&& visit) const;
   void free_clamps(const Cloth<D>& cloth);
-  Vec<D> inside(Vec<D> x) const;
   double margin(const Vec<D>& normal) const;
   bool project(Vec<D>& x, int node, int& solid, double& depth) const;
   void find_place(Vec<D>& x, std::size_t node, Report& report);

@@ -164,7 +164,7 @@ double ImplicitScheme<D>::contact_moment(int solid, const Vec<3>& axis) const {
   double moment = 0;
   for (const int i : held_) {
     if (held_by_[i] != solid) continue;
-    const Vec<D>& x = step_.next[i];
+    const Vec<D> x = barrier_.inside(step_.next[i]);
     moment -= (x[0] - axis[0]) * reaction_[i][1] - (x[1] - axis[1]) * reaction_[i][0];
   }
   return moment;

@@ -177,7 +177,7 @@ Sample Observer<D>::observe() {
   Sample sample;
   sample.time = simulation_.time();
   sample.step = observe_step();
-  for (std::size_t s = 0; s < simulation_.mapping().solids().size(); ++s)
+  for (std::size_t s = 0; s < simulation_.definition().solids.size(); ++s)
     sample.solids.push_back(observe_solid(s, sample.time));
   sample.quality = observe_quality(sample.solids);
   if (simulation_.cloth().pieces() > 0) observe_cloth(sample, {sampled_, sample.time});

@@ -180,7 +180,7 @@ void Output<D>::add_frame() {
     frame.numbers = {{"edges of cloth", static_cast<double>(crossings.edges)},
                      {"edges through other pieces", static_cast<double>(crossings.others)},
                      {"edges through their own piece", static_cast<double>(crossings.own)}};
-  for (const auto& s : simulation_.mapping().solids())
+  for (const auto& s : simulation_.definition().solids)
     frame.solids.push_back({s.name, s.drive.angle(frame.time)});
   frames_.write(frame);
   ++frame_count_;

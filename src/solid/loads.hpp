@@ -8,6 +8,12 @@ template <int D>
 struct Load {
   Vec<D> force = Vec<D>::Zero();  ///< [N]
   double torque = 0;              ///< [N m]
+
+  Load& operator+=(const Load& other) {
+    force += other.force;
+    torque += other.torque;
+    return *this;
+  }
 };
 
 /// The state of the water that loads on solids come from.
@@ -30,6 +36,13 @@ struct SurfaceLoads {
   Load<D> total() const {
     return {friction.force + pressure.force + convection.force + cloth.force,
             friction.torque + pressure.torque + convection.torque + cloth.torque};
+  }
+  SurfaceLoads& operator+=(const SurfaceLoads& other) {
+    friction += other.friction;
+    pressure += other.pressure;
+    convection += other.convection;
+    cloth += other.cloth;
+    return *this;
   }
 };
 

@@ -30,6 +30,7 @@ struct Solid {
   Shape shape;    ///< in the body frame, axis at the origin
   Vec<3> centre;  ///< [m]
   Drive drive;
+  std::size_t body = 0;  ///< which of the solids of a case this is, or is an image of
 
   /// The solid frozen at time t; prefer it to the three below in loops.
   SolidPose at(double t) const;

@@ -26,6 +26,9 @@ void for_surface(const Grid<D>& grid, const DomainMapping<D>& mapping, int c, in
         if ((open[p] > 0) == (open[q] > 0)) continue;
         Vec<D> x = grid.position(cell, c);
         if (open[p] > 0) x[axis] += grid.mesh().h[axis];
+        if (open[p] > 0 && block.offset[axis] + cell[axis] == grid.mesh().cells[axis] - 1 &&
+            grid.mesh().periodic[axis])
+          x[axis] -= grid.mesh().size()[axis];  // the ghost's own place
         visit(owner[open[p] > 0 ? q : p], x);
       }
     }

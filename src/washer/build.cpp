@@ -54,12 +54,6 @@ SidePairs<D> build_sides(const Case& whole) {
   return sides;
 }
 
-std::vector<Solid> build_solids(const Case& whole) {
-  std::vector<Solid> solids;
-  for (const auto& s : whole.solids) solids.push_back({s.name, s.shape, s.centre, s.drive});
-  return solids;
-}
-
 double smooth_width(const Case& whole) {
   if (whole.domain.mapping == Mapping::sharp) return 0;
   return whole.domain.mapping_width * whole.domain.size[0] / whole.domain.cells[0];

@@ -1,10 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "case/case.hpp"
+#include "case/solids.hpp"
 #include "cloth/cloth.hpp"
 #include "flow/flow.hpp"
-#include "solid/solid.hpp"
 
 namespace washtub {
 
@@ -13,7 +12,6 @@ template <int D>
 Mesh<D> build_mesh(const Case& whole);
 template <int D>
 SidePairs<D> build_sides(const Case& whole);
-std::vector<Solid> build_solids(const Case& whole);
 /// gamma of Eq. (11) [m]; 0 for the sharp mapping.
 double smooth_width(const Case& whole);
 /// All cloth at its start.

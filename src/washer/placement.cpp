@@ -11,6 +11,7 @@
 #include <random>
 
 #include "base/error.hpp"
+#include "case/solids.hpp"
 
 namespace washtub {
 namespace {
@@ -52,9 +53,11 @@ std::string name_of_side(const DomainCase& box, int side) {
 class Placer {
  public:
   Placer(const ClothCase& cloth, const Case& whole, std::span<const Patch> others)
-      : cloth_(cloth), whole_(whole), draw_(cloth.seed) {
-    for (const SolidCase& s : whole.solids)
-      solids_.emplace_back(s.shape, s.centre, s.drive.angle(0), s.drive.speed(0));
+      : cloth_(cloth),
+        whole_(whole),
+        draw_(cloth.seed),
+        solids_(build_solids(whole, whole.domain.size.maxCoeff())) {
+    for (const Solid& solid : solids_) poses_.push_back(solid.at(0));
     for (const ClothCase& group : whole.cloth) pieces_ += group.count;
     for (const Patch& other : others) placed_.push_back({other, facets(other)});
   }
@@ -189,10 +192,10 @@ class Placer {
     for (const Rectangle& flat : piece.flat)
       if (std::string side = side_hit(flat, clearance + piece.slack); !side.empty()) return side;
     for (std::size_t i = 0; i < solids_.size(); ++i)
-      for (const Facets& part = whole_.solids[i].drive.moving() ? piece : free;
+      for (const Facets& part = solids_[i].drive.moving() ? piece : free;
            const Rectangle& flat : part.flat)
-        if (!is_clear_of(solids_[i], flat, clearance + part.slack, fineness * flat.edge[0].norm()))
-          return fmt::format("solid \"{}\"", whole_.solids[i].name);
+        if (!is_clear_of(poses_[i], flat, clearance + part.slack, fineness * flat.edge[0].norm()))
+          return fmt::format("solid \"{}\"", solids_[i].name);
     return {};
   }
 
@@ -214,7 +217,8 @@ class Placer {
   const ClothCase& cloth_;
   const Case& whole_;
   Draw draw_;
-  std::vector<SolidPose> solids_;    ///< at t = 0
+  std::vector<Solid> solids_;        ///< with images that a sheet may reach
+  std::vector<SolidPose> poses_;     ///< of them, at t = 0
   std::vector<Piece> placed_;        ///< of all groups so far
   int pieces_ = 0;                   ///< of all groups
   std::map<std::string, int> hits_;  ///< what the last piece met, and how often

@@ -175,9 +175,10 @@ void Simulation<D>::move_solids(double dt) {
   last_.flips = change.flipped;
   const auto [k0, k1] = mapping_.moving_planes();
   if (change.any) flow_.openings_changed(k0, k1, change.flipped);
-  for (std::size_t s = 0; s < impulses_.size(); ++s)
-    if (mapping_.solids()[s].drive.moving())
-      moments_[s] = mapping_.swept(s, flow_.velocity(), flow_.density()).second;
+  std::fill(moments_.begin(), moments_.end(), 0);
+  for (std::size_t s = 0; s < mapping_.solids().size(); ++s)
+    if (const Solid& solid = mapping_.solids()[s]; solid.drive.moving())
+      moments_[solid.body] += mapping_.swept(s, flow_.velocity(), flow_.density()).second;
   mapping_.impose(flow_.velocity());
   if (mapping_.smooth()) mapping_.impose_target(flow_.target());
 }
@@ -234,11 +235,12 @@ void Simulation<D>::record_impulses(double dt) {
   const auto& solids = mapping_.solids();
   for (std::size_t s = 0; s < solids.size(); ++s) {
     if (!solids[s].drive.moving()) continue;
-    moments_[s] += dt * surface_loads<D>(grid_, mapping_, s, water()).total().torque;
-    if (coupling_ && grid_.parallel().root()) moments_[s] += dt * coupling_->contact_moment(s);
+    double& moment = moments_[solids[s].body];
+    moment += dt * surface_loads<D>(grid_, mapping_, s, water()).total().torque;
+    if (coupling_ && grid_.parallel().root()) moment += dt * coupling_->contact_moment(s);
   }
   grid_.parallel().sum(std::span<double>(moments_));
-  for (std::size_t s = 0; s < solids.size(); ++s) {
+  for (std::size_t s = 0; s < impulses_.size(); ++s) {
     const Drive& drive = solids[s].drive;
     const double swept = drive.angle(last_.time) - drive.angle(last_.time - dt);
     impulses_[s].moment += moments_[s];
@@ -256,7 +258,9 @@ Impulse Simulation<D>::take_impulse(std::size_t solid) {
 
 template <int D>
 SurfaceLoads<D> Simulation<D>::loads(std::size_t solid) const {
-  auto l = surface_loads<D>(grid_, mapping_, solid, water());
+  SurfaceLoads<D> l;
+  for (std::size_t s = 0; s < mapping_.solids().size(); ++s)
+    if (mapping_.solids()[s].body == solid) l += surface_loads<D>(grid_, mapping_, s, water());
   for (auto* part : {&l.friction, &l.pressure, &l.convection, &l.cloth}) {
     grid_.parallel().sum(std::span<double>(part->force.data(), D));
     part->torque = grid_.parallel().sum(part->torque);

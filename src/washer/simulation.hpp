@@ -70,9 +70,9 @@ class Simulation {
   const Case& definition() const { return case_; }
   /// Of the fastest surface, side or inflow; else of the water at the start [m/s].
   double driving_speed() const { return driving_speed_; }
-  /// Impulse on a turning solid since the last call, the same on all ranks.
+  /// Impulse on a turning solid of the case since the last call, the same on all ranks.
   Impulse take_impulse(std::size_t solid);
-  /// Loads on a solid now, summed over the ranks (collective).
+  /// Loads on a solid of the case now, summed over its images and the ranks (collective).
   SurfaceLoads<D> loads(std::size_t solid) const;
 
  private:

@@ -135,3 +135,20 @@ TEST(Barrier, MovesNodesOutOfTheWayOfAFin) {
   }
   EXPECT_LT(X[0][0], 0.45);  // swept along
 }
+
+/// A body beside a periodic side: its image keeps nodes off on the other side, and so does the body
+/// itself where a node passes the side.
+TEST(Barrier, KeepsOffWhatIsBeyondAPeriodicSide) {
+  const auto at = [](double x) {
+    return Solid{"disc", cylinder(0.2, -inf, inf), {x, 0.5, 0}, at_rest()};
+  };
+  const Grid<2> grid(Room::mesh(), Parallel(), {1, 1});
+  const DomainMapping<2> across(grid, {at(0.95), at(-0.05)}, 0), near(grid, {at(0.7)}, 0);
+  Barrier<2> image(grid, across, dots<2>({{0.3, 0.5}}));
+  const std::vector<Vec<2>> in_image = {{0.16, 0.5}}, past_side = {{-0.08, 0.5}};
+  ASSERT_EQ(image.find(in_image, 0.01).size(), 1u);
+  EXPECT_NEAR(image.find(in_image, 0.01)[0].to[0], 0.15 + 0.5 * h, 1e-9);
+  Barrier<2> body(grid, near, dots<2>({{0.05, 0.5}}));
+  ASSERT_EQ(body.find(past_side, 0.01).size(), 1u);
+  EXPECT_NEAR(body.find(past_side, 0.01)[0].to[0], -0.1 + 0.5 * h, 1e-9);
+}
