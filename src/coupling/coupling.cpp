@@ -19,8 +19,9 @@ void require(bool holds, const char* what) {
 template <int D>
 Coupling<D>::Coupling(Flow<D>& flow, Cloth<D>& cloth, const DomainMapping<D>& mapping,
                       Kernel kernel, const SidePairs<D>& sides, Scheme scheme,
-                      double marker_spacing)
-    : mapping_(mapping),
+                      double marker_spacing, PhaseClock* clock)
+    : clock_(clock),
+      mapping_(mapping),
       step_(flow, cloth),
       boundary_(flow.grid(), cloth, kernel, sides, marker_spacing),
       barrier_(flow.grid(), mapping, cloth),
@@ -64,6 +65,7 @@ void Coupling<D>::find_pins() {
 /// Velocity of the projected water at the nodes.
 template <int D>
 void Coupling<D>::find_velocity() {
+  const InPhase interpolating(clock_, Phase::exchange);
   boundary_.interpolate(step_.flow.velocity(), step_.water);
   double leak = 0;
   for (const int node : step_.pinned) leak += step_.water[node].squaredNorm();
@@ -91,7 +93,10 @@ void Coupling<D>::push() {
   boundary_.place(middle_);
   if (scheme_->needs_provisional() || !step_.pinned.empty()) find_water();
   find_pins();
-  scheme_->push();
+  {
+    const InPhase solving(clock_, Phase::cloth);
+    scheme_->push();
+  }
   spread_force();
   stage_ = Stage::pushed;
 }
@@ -101,7 +106,9 @@ bool Coupling<D>::again() {
   require(stage_ == Stage::pushed && !step_.flow.predicted(),
           "again(): only after push() and Flow::project()");
   if (scheme_->needs_projected()) find_velocity();
+  const InPhase solving(clock_, Phase::cloth);
   if (scheme_->again()) {
+    const InPhase spreading(clock_, Phase::exchange);
     spread_force();
     return true;
   }
@@ -116,6 +123,7 @@ typename Coupling<D>::Report Coupling<D>::move(bool measure_slip) {
   auto& next = step_.next;
   auto& report = step_.report;
   const double dt = step_.dt();
+  const InPhase moving(clock_, Phase::cloth);
   scheme_->move();
   for (const int node : step_.pinned) next[node] = cloth.position[node];
   const int held = report.barrier.touched;  // by the scheme

@@ -2,6 +2,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/phase_clock.hpp"
 #include "coupling/coupling_scheme.hpp"
 #include "coupling/immersed_boundary.hpp"
 
@@ -20,8 +21,10 @@ class Coupling {
  public:
   using Report = CouplingReport<D>;
 
+  /// `clock`: where the scheme's part of the time goes; may be null.
   Coupling(Flow<D>& flow, Cloth<D>& cloth, const DomainMapping<D>& mapping, Kernel kernel,
-           const SidePairs<D>& sides, Scheme scheme, double marker_spacing = 2);
+           const SidePairs<D>& sides, Scheme scheme, double marker_spacing = 2,
+           PhaseClock* clock = nullptr);
   Coupling(const Coupling&) = delete;
   Coupling& operator=(const Coupling&) = delete;
 
@@ -63,6 +66,7 @@ class Coupling {
   void spread_force();
   void measure_slip();
 
+  PhaseClock* clock_;
   const DomainMapping<D>& mapping_;
   CoupledStep<D> step_;
   ImmersedBoundary<D> boundary_;

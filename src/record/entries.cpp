@@ -1,3 +1,5 @@
+#include <numeric>
+
 #include "record/build_facts.hpp"
 #include "record/columns.hpp"
 #include "record/names.hpp"
@@ -36,6 +38,19 @@ Json of_cycles(const ClothSource& s, double (Scatter::*scatter)(const Scatter&) 
   for (const Scatter& cycle : s.statistics.cycles())
     values.push_back((cycle.*scatter)(s.all.scatter));
   return values;
+}
+
+/// Of a phase [s].
+template <Phase phase>
+Json seconds(const RunSource& s) {
+  return s.end.phases[static_cast<std::size_t>(phase)];
+}
+
+/// The same over the sum of all.
+template <Phase phase>
+Json share(const RunSource& s) {
+  const double all = std::accumulate(s.end.phases.begin(), s.end.phases.end(), 0.0);
+  return all > 0 ? Json(s.end.phases[static_cast<std::size_t>(phase)] / all) : Json();
 }
 
 }  // namespace
@@ -108,6 +123,32 @@ const std::vector<DeclaredEntry<RunSource>> run = {
      [](const RunSource&) -> Json { return build_facts().vector_width; }},
     {{"processor", pure_number, "that the run was on; results of a chaotic flow depend on it"},
      [](const RunSource&) -> Json { return processor(); }},
+};
+
+const std::vector<DeclaredEntry<RunSource>> phases = {
+    {{"solids", second, "moved, and their faces closed or opened, Eq. (9)"},
+     seconds<Phase::solids>},
+    {{"solids, share", pure_number, "of the time in all phases"}, share<Phase::solids>},
+    {{"prediction", second, "of the velocity without pressure and cloth, Eq. (1)"},
+     seconds<Phase::prediction>},
+    {{"prediction, share", pure_number, "of the time in all phases"}, share<Phase::prediction>},
+    {{"cloth", second, "its forces, its solve and its contacts, Eqs. (4) and (6)"},
+     seconds<Phase::cloth>},
+    {{"cloth, share", pure_number, "of the time in all phases"}, share<Phase::cloth>},
+    {{"exchange", second, "of force and velocity between cloth and water, Eqs. (3) and (5)"},
+     seconds<Phase::exchange>},
+    {{"exchange, share", pure_number, "of the time in all phases"}, share<Phase::exchange>},
+    {{"projection", second, "by the pressure, Eq. (2)"}, seconds<Phase::projection>},
+    {{"projection, share", pure_number, "of the time in all phases"}, share<Phase::projection>},
+    {{"loads", second, "of the water on solids that turn"}, seconds<Phase::loads>},
+    {{"loads, share", pure_number, "of the time in all phases"}, share<Phase::loads>},
+    {{"rows and frames", second, "with the measures in them"}, seconds<Phase::output>},
+    {{"rows and frames, share", pure_number, "of the time in all phases"}, share<Phase::output>},
+    {{"checkpoints", second, "and what is kept in memory to try a step again"},
+     seconds<Phase::checkpoints>},
+    {{"checkpoints, share", pure_number, "of the time in all phases"}, share<Phase::checkpoints>},
+    {{"rest", second, "setting up, the watch over the run, the log"}, seconds<Phase::rest>},
+    {{"rest, share", pure_number, "of the time in all phases"}, share<Phase::rest>},
 };
 
 const std::vector<DeclaredEntry<RunSource>> coupling = {

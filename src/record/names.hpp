@@ -30,6 +30,7 @@ inline constexpr const char* energy = "energy per cycle";
 
 inline constexpr const char* run = "run";
 inline constexpr const char* coupling = "coupling";
+inline constexpr const char* phases = "phases";
 inline constexpr const char* outcome = "outcome";
 inline constexpr const char* end = "end";
 inline constexpr const char* steps = "steps";

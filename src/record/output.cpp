@@ -191,8 +191,15 @@ void Output<D>::write_summary(const std::string& outcome, double wall_time) cons
   const Parallel& parallel = simulation_.grid().parallel();
   if (!parallel.root()) return;
   const auto& last = simulation_.last();
-  const RunEnd end{outcome,   last.time,        last.number,          parallel.size(),
-                   wall_time, frames_.frames(), observer_.extremes(), observer_.quality()};
+  const RunEnd end{outcome,
+                   last.time,
+                   last.number,
+                   parallel.size(),
+                   wall_time,
+                   frames_.frames(),
+                   observer_.extremes(),
+                   observer_.quality(),
+                   simulation_.clock().spent()};
   const CsvTable history = written(directory_ + "/history.csv");
   const auto tracks = tracks_ ? std::optional(written(directory_ + "/tracks.csv")) : std::nullopt;
   washtub::write_summary(directory_ + "/summary.json",

@@ -112,6 +112,10 @@ void add_summary(Page& page) {
       "so those of the report are the same numbers; `statistics over [s]` tells the span.");
   page.table("", entries::top);
   page.table("`run`:", entries::run);
+  page.table(
+      "`phases`, where the time of the first rank went since the run was started or went on, "
+      "waiting for other ranks and for the disk included:",
+      entries::phases);
   page.table("`coupling`, with cloth, over all steps of the run:", entries::coupling);
   page.table(
       "`quality`, over all rows of the history and all frames; beside it stands `warnings`, "

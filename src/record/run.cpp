@@ -19,13 +19,14 @@
 #include "record/progress.hpp"
 #include "record/schedule.hpp"
 #include "record/stop.hpp"
+#include "record/summarise.hpp"
 #include "washer/watch.hpp"
 
 namespace washtub {
 namespace {
 
-constexpr int tries = 3;       // of an interval between rows, each with half the step
-constexpr double share = 0.5;  // of the step before, from try to try
+constexpr int tries = 3;            // of an interval between rows, each with half the step
+constexpr double share = 0.5;       // of the step before, from try to try
 
 /// log.txt on rank 0; silent elsewhere.
 std::shared_ptr<spdlog::logger> open_log(const RunOptions& options, bool root) {
@@ -210,6 +211,7 @@ class Run {
 
   /// A row, and maybe a frame, of the state now.
   void write(bool frame) {
+    const InPhase writing(&simulation_.clock(), Phase::output);
     output_.add_row(observer_.observe());
     if (const auto alarm = observer_.self_watch().first_alarm())
       tell(fmt::format("t = {:.4g} s: {} The run goes on.", simulation_.time(), *alarm));
@@ -226,11 +228,13 @@ class Run {
       keep_last_row();
       throw;
     }
+    const InPhase keeping(&simulation_.clock(), Phase::checkpoints);
     row_.take(*this);
   }
 
   /// A checkpoint; where it cannot be written the run goes on. Returns whether it was.
   bool save() {
+    const InPhase saving(&simulation_.clock(), Phase::checkpoints);
     const CheckpointLabel label{options_.program,          case_.resolved,
                                 simulation_.time(),        simulation_.last().number,
                                 case_.output.window_begin, case_.output.window_end};
@@ -254,12 +258,14 @@ class Run {
 
   void finish(const std::string& outcome) {
     progress_.finish();
+    simulation_.clock().enter(Phase::rest);
     output_.write_summary(outcome, progress_.elapsed());
     const std::string line =
         fmt::format("{}: t {:.6g} s, {} steps, {:.1f} s of computing",
                     outcome == "complete" || outcome == "stopped" ? outcome : "failed",
                     simulation_.time(), simulation_.last().number, progress_.elapsed());
     for (const auto& warning : observer_.quality().warnings(case_)) tell(warning);
+    log_->info("time of the first rank: {}", phases_text(simulation_.clock().spent()));
     log_->info(line);
     if (parallel_.root())
       std::fputs(fmt::format("{}; results in {}\n", line, options_.directory).c_str(), stderr);

@@ -1,5 +1,9 @@
 #include "record/summarise.hpp"
 
+#include <fmt/ranges.h>
+
+#include <numeric>
+
 #include "record/columns.hpp"
 #include "record/names.hpp"
 #include "record/quantities.hpp"
@@ -65,6 +69,16 @@ std::string entry_name(const Declared& about, int dimension) {
   return unit.empty() ? about.name : std::string(about.name) + " [" + unit + "]";
 }
 
+std::string phases_text(const PhaseTimes& times) {
+  const double all = std::accumulate(times.begin(), times.end(), 0.0);
+  std::vector<std::string> parts;
+  for (std::size_t p = 0; p < times.size(); ++p)
+    if (times[p] > 0)
+      parts.push_back(fmt::format("{} {:.3g} s ({:.0f} %)", entries::phases[2 * p].about.name,
+                                  times[p], 100 * times[p] / all));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 LoopSource::LoopSource(const Case& whole, const CsvTable& tracks)
     : map(whole.scale.length > 0 ? whole.scale.length : 1, whole.scale.height) {
   const auto& times = tracks.columns()[0].values;
@@ -94,6 +108,7 @@ Json summarise(const Case& whole, const RunEnd& end, const ClothStatistics& clot
   Json json = table(entries::top, TopSource{whole, span}, whole.dimension);
   const RunSource run{whole, end};
   json[names::run] = table(entries::run, run, whole.dimension);
+  json[names::phases] = table(entries::phases, run, whole.dimension);
   if (!whole.cloth.empty()) json[names::coupling] = table(entries::coupling, run, whole.dimension);
   json["quality"] = table(entries::quality, run, whole.dimension);
   json[names::warnings] = end.quality.warnings(whole);

@@ -1,8 +1,10 @@
 #pragma once
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "base/phase_clock.hpp"
 #include "case/groups.hpp"
 #include "io/table.hpp"
 #include "measure/cloth_statistics.hpp"
@@ -14,6 +16,12 @@
 
 namespace washtub {
 
+/// Seconds that a rank spent in each phase.
+using PhaseTimes = std::array<double, phases>;
+
+/// "projection 12.3 s (41 %), ..." in the order of the phases; those without time are left out.
+std::string phases_text(const PhaseTimes& times);
+
 /// What a run itself knows at its end; the rest of its summary comes from its tables.
 struct RunEnd {
   std::string outcome;  ///< "complete", "stopped" or the reason of a failure
@@ -24,6 +32,7 @@ struct RunEnd {
   int frames = 0;
   Extremes extremes;
   Quality quality = {};
+  PhaseTimes phases = {};
 };
 
 /// What the entries on the case and its window are taken from.
@@ -70,7 +79,7 @@ struct DeclaredEntry {
 /// The declarations of summary.json, in the order of its entries.
 namespace entries {
 extern const std::vector<DeclaredEntry<TopSource>> top;
-extern const std::vector<DeclaredEntry<RunSource>> run, coupling, quality;
+extern const std::vector<DeclaredEntry<RunSource>> run, phases, coupling, quality;
 extern const std::vector<DeclaredEntry<Scales>> scales;
 extern const std::vector<DeclaredEntry<ClothSource>> cloth;
 extern const std::vector<DeclaredEntry<StressSource>> stress;

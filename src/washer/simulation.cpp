@@ -42,7 +42,7 @@ Simulation<D>::Simulation(const Case& whole, const Parallel& parallel, Archive* 
   driving_speed_ = washtub::driving_speed<D>(grid_, mapping_, build_sides<D>(whole), last_.speed);
   if (cloth_.pieces() > 0)
     coupling_.emplace(flow_, cloth_, mapping_, whole.coupling.kernel, build_sides<D>(whole),
-                      whole.coupling.scheme, whole.coupling.marker_spacing);
+                      whole.coupling.scheme, whole.coupling.marker_spacing, &clock_);
   if (coupling_) coupling_->set_gravity(whole.fluid.gravity.template head<D>());
 }
 
@@ -186,9 +186,14 @@ void Simulation<D>::move_solids(double dt) {
 /// The paper's equations in the order in which they are solved.
 template <int D>
 void Simulation<D>::move_cloth_and_water(double dt, bool measure_slip) {
-  flow_.predict(dt);                 // Eq. (1) without pressure and cloth
+  clock_.enter(Phase::prediction);
+  flow_.predict(dt);  // Eq. (1) without pressure and cloth
+  if (coupling_) clock_.enter(Phase::exchange);
   if (coupling_) coupling_->push();  // cloth solve; f = S F, Eq. (3)
-  const auto project = [&] { return flow_.project(case_.solver.divergence, most_cycles()); };
+  const auto project = [&] {
+    const InPhase projecting(&clock_, Phase::projection);
+    return flow_.project(case_.solver.divergence, most_cycles());
+  };
   auto flow = project();                                       // Eq. (2)
   while (coupling_ && coupling_->again()) flow = project();    // with the force of a better X^n+1
   if (coupling_) last_.cloth = coupling_->move(measure_slip);  // dX/dt = U, Eqs. (5), (6)
@@ -204,13 +209,16 @@ void Simulation<D>::move_cloth_and_water(double dt, bool measure_slip) {
 template <int D>
 const typename Simulation<D>::Step& Simulation<D>::step(double latest) {
   const double dt = choose_step(latest);
+  clock_.enter(Phase::solids);
   move_solids(dt);  // u = u_o where psi > 0, Eq. (9)
   const bool last_before_row = latest - last_.time <= (1 + 1e-6) * dt;
   move_cloth_and_water(dt, last_before_row || last_.number % slip_look == 0);
   last_.time += dt;
   last_.dt = dt;
   ++last_.number;
+  clock_.enter(Phase::loads);
   record_impulses(dt);
+  clock_.enter(Phase::rest);
   if (last_.cloth.looked)
     slip_factor_ = last_.cloth.slip > slip_limit * last_.speed
                        ? std::max(0.1, 0.7 * slip_factor_)

@@ -68,6 +68,9 @@ class Simulation {
   const Cloth<D>& cloth() const { return cloth_; }
   const DomainMapping<D>& mapping() const { return mapping_; }
   const Case& definition() const { return case_; }
+  /// Of this rank: after a step it is in Phase::rest.
+  PhaseClock& clock() { return clock_; }
+  const PhaseClock& clock() const { return clock_; }
   /// Of the fastest surface, side or inflow; else of the water at the start [m/s].
   double driving_speed() const { return driving_speed_; }
   /// Impulse on a turning solid of the case since the last call, the same on all ranks.
@@ -89,6 +92,7 @@ class Simulation {
   void watch() const;
   WaterState<D> water() const;
 
+  PhaseClock clock_;
   Case case_;
   Grid<D> grid_;
   DomainMapping<D> mapping_;

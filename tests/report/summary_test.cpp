@@ -71,6 +71,22 @@ class Recorded {
   Case whole_;
 };
 
+TEST(Summary, TellsWhereTheTimeWent) {
+  const PhaseTimes times = {1, 0, 0.5, 0, 2, 0, 0, 0, 0.5};
+  EXPECT_EQ(phases_text(times),
+            "solids 1 s (25 %), cloth 0.5 s (12 %), projection 2 s (50 %), rest 0.5 s (12 %)");
+  const RunEnd end{.outcome = "complete", .phases = times};
+  const Case whole;
+  double seconds = 0, shares = 0;
+  for (const auto& entry : entries::phases) {
+    const double value = entry.take(RunSource{whole, end}).get<double>();
+    (entry.about.unit.in(3) == "s" ? seconds : shares) += value;
+  }
+  EXPECT_DOUBLE_EQ(seconds, 4);
+  EXPECT_DOUBLE_EQ(shares, 1);
+  EXPECT_TRUE(Recorded(1.6).summary.contains("phases"));
+}
+
 /// The window is no whole number of cycles, and the run ends within it.
 TEST(Summary, HasTheNumbersOfThePage) {
   for (const double end : {4.0, 3.4, 1.6}) {

@@ -109,6 +109,17 @@ TEST(Simulation, StretchedClothStartsWithSmallSteps) {
   EXPECT_NEAR(area(), before, 0.02 * before);
 }
 
+/// Each part of a step is told from the others.
+TEST(Simulation, KnowsWhereItsTimeGoes) {
+  Simulation<3> simulation(small_wash(), Parallel());
+  run_to(simulation, 0.01);
+  const auto& spent = simulation.clock().spent();
+  for (const Phase phase : {Phase::solids, Phase::prediction, Phase::cloth, Phase::exchange,
+                            Phase::projection, Phase::loads, Phase::rest})
+    EXPECT_GT(spent[static_cast<std::size_t>(phase)], 0) << static_cast<int>(phase);
+  EXPECT_EQ(spent[static_cast<std::size_t>(Phase::output)], 0);
+}
+
 TEST(Simulation, FixedStepIsTaken) {
   Simulation<3> simulation(small_wash({"time.step=2e-4 s", "time.fixed=true"}), Parallel());
   simulation.step(1);
