@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <mpi.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -8,6 +7,8 @@
 
 #include "app/commands.hpp"
 #include "app/launch.hpp"
+#include "app/mpi.hpp"
+#include "app/ranks.hpp"
 #include "app/report.hpp"
 #include "app/start_point.hpp"
 #include "base/error.hpp"
@@ -25,14 +26,6 @@ namespace {
 /// What the launching process found out tells its ranks in the environment.
 constexpr const char* resumed_mark = "WASHTUB_RESUMED";
 constexpr const char* developed_mark = "WASHTUB_DEVELOPED";
-
-/// Initialises MPI for as long as it lives.
-struct Mpi {
-  Mpi() { MPI_Init(nullptr, nullptr); }
-  ~Mpi() { MPI_Finalize(); }
-  Mpi(const Mpi&) = delete;
-  Mpi& operator=(const Mpi&) = delete;
-};
 
 int rank() {
   int value = 0;
@@ -131,37 +124,6 @@ int simulate(const RunArguments& arguments, RunOptions options) {
   }
 }
 
-/// Whether the grid can be cut for so many ranks.
-template <int D>
-bool can_cut(const Case& whole, int ranks) {
-  const auto mesh = build_mesh<D>(whole);
-  try {
-    choose_ranks<D>(mesh.cells, granularity(mesh), ranks);
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
-}
-
-bool can_cut(const Case& whole, int ranks) {
-  return whole.dimension == 3 ? can_cut<3>(whole, ranks) : can_cut<2>(whole, ranks);
-}
-
-/// The number asked for, or the physical cores as far as the grid can be cut for them.
-int choose_ranks(const RunArguments& arguments, const Case& whole) {
-  int ranks = arguments.ranks.value_or(physical_cores());
-  if (ranks < 1) throw InputError(fmt::format("-n {}: allowed: 1 or more ranks", ranks));
-  const auto fewer = [&](int n) {
-    while (n > 1 && !can_cut(whole, n)) --n;
-    return n;
-  };
-  if (!arguments.ranks) return fewer(ranks);
-  if (!can_cut(whole, ranks))
-    throw InputError(fmt::format("-n {}: this grid cannot be cut for so many ranks; try -n {}",
-                                 ranks, fewer(ranks)));
-  return ranks;
-}
-
 }  // namespace
 
 int command_run(RunArguments arguments) {
@@ -170,13 +132,14 @@ int command_run(RunArguments arguments) {
   if (inside_mpi()) return simulate(arguments, options);
   const Case whole = read_case(arguments.input.path, arguments.input.settings);
   check_build(whole);
-  const int ranks = choose_ranks(arguments, whole);
+  const RankChoice choice = choose_ranks(arguments.ranks, whole);
   const DirectoryLock lock = prepare_start(arguments, whole, options);
+  if (!choice.note.empty()) fmt::print(stderr, "note: {}\n", choice.note);
   setenv(resumed_mark, options.resumed.c_str(), 1);
   setenv(developed_mark, options.developed.c_str(), 1);
-  if (ranks == 1) return simulate(arguments, options);
+  if (choice.ranks == 1) return simulate(arguments, options);
   print_notes(whole);
-  const int code = launch_ranks(ranks, arguments.all);
+  const int code = launch_ranks(choice.ranks, arguments.all);
   if (!arguments.report || code == exit_wrong_input || report_run(options.directory)) return code;
   return without_report(code);
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/cores.hpp"
 #include "base/error.hpp"
 #include "base/exit_code.hpp"
 #include "base/snapshot.hpp"
@@ -26,6 +27,7 @@ namespace washtub {
 namespace {
 
 constexpr int tries = 3;            // of an interval between rows, each with half the step
+constexpr int watched_steps = 100;  // after which it is seen whether the ranks have their cores
 constexpr double share = 0.5;       // of the step before, from try to try
 
 /// log.txt on rank 0; silent elsewhere.
@@ -170,7 +172,11 @@ class Run {
   /// of the state that failed, and with a checkpoint of the last row's.
   void step(double due) {
     try {
-      observer_.watch(simulation_.step(due));
+      share_.begin();
+      const auto& taken = simulation_.step(due);
+      share_.end();
+      observer_.watch(taken);
+      if (++watched_ == watched_steps) watch_cores();
     } catch (const RunError& error) {
       const bool pressure = dynamic_cast<const PressureError*>(&error) != nullptr;
       if (tries_left_ > 0 && (pressure || !case_.time.fixed))
@@ -178,6 +184,17 @@ class Run {
       give_up();
       throw;
     }
+  }
+
+  /// Whether other programs hold up a rank, and so all.
+  void watch_cores() {
+    const double least = parallel_.min(share_.share());
+    share_ = {};
+    if (const auto text = crowded(least, parallel_.size()); text && !told_crowded_) {
+      tell(*text);
+      told_crowded_ = true;
+    }
+    watched_ = 0;
   }
 
   void try_again(const std::string& reason, bool pressure) {
@@ -285,6 +302,9 @@ class Run {
   Progress progress_;
   Snapshot row_;  ///< the state at the last row
   int tries_left_ = tries;
+  CoreShare share_;
+  int watched_ = 0;  ///< steps in it
+  bool told_crowded_ = false;
 };
 
 }  // namespace
