@@ -10,6 +10,7 @@ namespace washtub {
 namespace {
 
 constexpr int most_points = 128;  // of a side along an axis, where its two sides are compared
+constexpr int most_parts = 256;   // of the box along an axis, where it is looked through
 constexpr int turns = 64;         // angles at which a solid that turns is looked for
 
 using Psi = std::function<double(const Vec<3>&)>;
@@ -20,16 +21,23 @@ struct Seen {
   bool both() const { return solid && water; }
 };
 
-/// Halves a box until psi, whose slope is at most 1, decides, down to the size of a cell; what is
-/// undecided there counts as touched by a solid.
-void look(const Psi& psi, const Vec<3>& middle, const Vec<3>& half, const Vec<3>& cell,
+/// Where a box is looked through: how small its parts become.
+struct Fineness {
+  Vec<3> part = Vec<3>::Zero();  ///< [m]
+  bool cells = true;             ///< whether they are as small as the cells
+};
+
+/// Halves a box until psi, whose slope is at most 1, decides; what is undecided in the smallest
+/// parts counts as touched by a solid, and as water too where cells are smaller still.
+void look(const Psi& psi, const Vec<3>& middle, const Vec<3>& half, const Fineness& fineness,
           Seen& seen) {
   const double value = psi(middle), reach = half.norm();
   if (value > 0) seen.solid = true;
   if (value < 0) seen.water = true;
   if (seen.both() || std::abs(value) > reach) return;
-  if (reach <= 0.5 * cell.norm()) {
+  if (reach <= 0.5 * fineness.part.norm() * (1 + 1e-9)) {
     seen.solid = true;
+    seen.water = seen.water || !fineness.cells;
     return;
   }
   const auto parts = [&](int axis) { return half[axis] > 0 ? 2 : 1; };
@@ -39,7 +47,7 @@ void look(const Psi& psi, const Vec<3>& middle, const Vec<3>& half, const Vec<3>
         if (!seen.both())
           look(psi,
                middle + half.cwiseProduct(Vec<3>(i - 0.5, j - 0.5, parts(2) > 1 ? k - 0.5 : 0)),
-               0.5 * half, cell, seen);
+               0.5 * half, fineness, seen);
 }
 
 /// "from ["0 m", "0 m"] to ["2 m", "1 m"]"
@@ -61,7 +69,9 @@ class SolidCheck {
     for (int axis = 0; axis < whole_.dimension; ++axis) {
       half_[axis] = 0.5 * whole_.domain.size[axis];
       middle_[axis] = whole_.domain.lower[axis] + half_[axis];
-      cell_[axis] = whole_.domain.size[axis] / whole_.domain.cells[static_cast<std::size_t>(axis)];
+      const int cells = whole_.domain.cells[static_cast<std::size_t>(axis)];
+      fineness_.part[axis] = whole_.domain.size[axis] / std::min(cells, most_parts);
+      fineness_.cells = fineness_.cells && cells <= most_parts;
     }
   }
 
@@ -76,7 +86,7 @@ class SolidCheck {
  private:
   Seen look_at(const Psi& psi) const {
     Seen seen;
-    look(psi, middle_, half_, cell_, seen);
+    look(psi, middle_, half_, fineness_, seen);
     return seen;
   }
 
@@ -188,7 +198,8 @@ class SolidCheck {
   const Case& whole_;
   const Node& root_;
   std::vector<Solid> solids_;
-  Vec<3> middle_ = Vec<3>::Zero(), half_ = Vec<3>::Zero(), cell_ = Vec<3>::Zero();
+  Vec<3> middle_ = Vec<3>::Zero(), half_ = Vec<3>::Zero();
+  Fineness fineness_;
 };
 
 }  // namespace

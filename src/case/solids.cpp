@@ -25,8 +25,10 @@ Vec<3> into_box(const Vec<3>& x, const SolidCase& solid, const Case& whole) {
   const DomainCase& box = whole.domain;
   Vec<3> in = x;
   for (int axis = 0; axis < whole.dimension; ++axis)
-    if (has_images(solid, whole, axis))
-      in[axis] -= box.size[axis] * std::floor((x[axis] - box.lower[axis]) / box.size[axis]);
+    if (has_images(solid, whole, axis)) {
+      const double along = std::fmod(x[axis] - box.lower[axis], box.size[axis]);
+      in[axis] = box.lower[axis] + along + (along < 0 ? box.size[axis] : 0);
+    }
   return in;
 }
 
@@ -34,12 +36,14 @@ struct Range {
   int first = 0, last = 0;
 };
 
-/// Shifts along an axis, in lengths of the box, that bring a solid at `centre` to the box.
+/// Shifts along an axis, in lengths of the box, that bring a solid at `centre` to the box, or
+/// nearer to it than `margin` or its length.
 Range shifts(const SolidCase& solid, const Vec<3>& centre, const Case& whole, int axis,
              double margin) {
   if (axis >= whole.dimension || !has_images(solid, whole, axis)) return {};
   const Bounds own = extent(solid);
   const double lower = whole.domain.lower[axis], length = whole.domain.size[axis];
+  margin = std::min(margin, length);
   const double first = (lower - margin - centre[axis] - own.upper[axis]) / length;
   const double last = (lower + length + margin - centre[axis] - own.lower[axis]) / length;
   return {static_cast<int>(std::ceil(first)), static_cast<int>(std::floor(last))};

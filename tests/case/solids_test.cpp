@@ -116,6 +116,19 @@ TEST(SolidChecks, RefuseWhatLeavesNoWater) {
       HasSubstr("the solids together fill the box"));
 }
 
+/// However fine the grid, the box is looked through in a moment.
+TEST(SolidChecks, AreQuickOnFineGrids) {
+  const char* block =
+      "{ kind = \"box\", lower = [\"0 m\", \"0 m\", \"0 m\"], "
+      "upper = [\"1 m\", \"1 m\", \"1 m\"] }";
+  EXPECT_NO_THROW(read_case_text(
+      std::string("[fluid]\nviscosity = \"1 Pa s\"\n[domain]\n"
+                  "size = [\"1 m\", \"1 m\", \"1 m\"]\ncells = 8192\n[time]\nend = \"1 s\"\n"
+                  "[[solid]]\nname = \"body\"\nshape = ") +
+          block + "\n",
+      "body.toml"));
+}
+
 TEST(SolidChecks, TakeATubAroundTheBox) {
   const char* tub =
       "{ kind = \"complement\", parts = [{ kind = \"sphere\", radius = \"50 cm\" }] }";
