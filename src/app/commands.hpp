@@ -15,10 +15,18 @@ struct CaseArguments {
   std::vector<std::string> settings;  ///< "key=value" of --set
 };
 
+/// What `washtub check` asks for.
+struct CheckArguments {
+  CaseArguments input;
+  std::optional<int> ranks;      ///< as of a run
+  bool forecast = true;          ///< the run is begun, to foresee what it takes
+  std::vector<std::string> all;  ///< the whole command line
+};
+
 struct RunArguments {
   CaseArguments input;
   std::string directory;     ///< of the results; "" = out/<name of the case>
-  std::optional<int> ranks;  ///< as many as there are cores where not given
+  std::optional<int> ranks;  ///< as many as there are free cores where not given
   bool force = false;
   bool resume = false;           ///< go on with an interrupted run
   std::string from;              ///< checkpoint whose water and cloth are the start; "" = none
@@ -36,6 +44,15 @@ struct ModesArguments {
   CaseArguments input;
   int count = 5;     ///< lowest frequencies of every group
   std::string file;  ///< JSON to write; "" = none
+};
+
+/// What `washtub bench` asks for.
+struct BenchArguments {
+  int ranks = 1;
+  std::string filter;            ///< regular expression of what is timed; "" = all
+  std::string file;              ///< JSON to write; "" = none
+  std::string compare;           ///< an earlier one; "" = none
+  std::vector<std::string> all;  ///< the whole command line
 };
 
 struct VerifyArguments {
@@ -73,9 +90,10 @@ struct MovieArguments {
 
 /// Every command returns the exit code.
 int command_run(RunArguments arguments);
-int command_check(const CaseArguments& arguments);
+int command_check(const CheckArguments& arguments);
 int command_reference(const ReferenceArguments& arguments);
 int command_modes(const ModesArguments& arguments);
+int command_bench(const BenchArguments& arguments);
 int command_verify(const VerifyArguments& arguments);
 int command_report(const ReportArguments& arguments);
 int command_compare(const CompareArguments& arguments);

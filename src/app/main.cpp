@@ -34,7 +34,7 @@ void add_run(CLI::App& app, RunArguments& arguments) {
   add_case(command, arguments.input);
   command.add_option("-o", arguments.directory, "directory of the results [out/<case>]")
       ->type_name("DIR");
-  command.add_option("-n", arguments.ranks, "MPI ranks [physical cores]")->type_name("RANKS");
+  command.add_option("-n", arguments.ranks, "MPI ranks [cores that are free]")->type_name("RANKS");
   command.add_flag("--force", arguments.force, "overwrite earlier results");
   command.add_flag("--resume", arguments.resume, "go on from the newest sound checkpoint");
   command
@@ -94,6 +94,27 @@ void add_report(CLI::App& app, ReportArguments& arguments) {
       ->capture_default_str();
 }
 
+void add_bench(CLI::App& app, BenchArguments& arguments) {
+  CLI::App& command = *app.add_subcommand(
+      "bench", "time the kernels of a step and whole steps on this machine, beside a triad");
+  command.add_option("-n", arguments.ranks, "MPI ranks")->type_name("RANKS")->capture_default_str();
+  command.add_option("--filter", arguments.filter, "only what matches a regular expression")
+      ->type_name("REGEX");
+  command.add_option("-o", arguments.file, "JSON to write the results to")->type_name("FILE");
+  command.add_option("--compare", arguments.compare, "earlier results to compare with")
+      ->type_name("FILE");
+}
+
+void add_check(CLI::App& app, CheckArguments& arguments) {
+  CLI::App& command = *app.add_subcommand(
+      "check", "validate a case, show what it means, and foresee time, memory and disk of its run");
+  add_case(command, arguments.input);
+  command.add_option("-n", arguments.ranks, "MPI ranks of the run [cores that are free]")
+      ->type_name("RANKS");
+  command.add_flag("!--no-forecast", arguments.forecast,
+                   "do not begin the run to foresee its time");
+}
+
 void add_compare(CLI::App& app, CompareArguments& arguments) {
   CLI::App& command =
       *app.add_subcommand("compare", "compare runs: what differs, and whether it is chance");
@@ -146,10 +167,14 @@ int command_line(int argc, char** argv) {
   RunArguments run;
   run.all.assign(argv, argv + argc);
   add_run(app, run);
-  CaseArguments check;
-  add_case(*app.add_subcommand("check", "validate a case and show what it means"), check);
+  CheckArguments check;
+  check.all = run.all;
+  add_check(app, check);
   ModesArguments modes;
   add_modes(app, modes);
+  BenchArguments bench;
+  bench.all = run.all;
+  add_bench(app, bench);
   VerifyArguments verify;
   add_verify(app, verify);
   ReportArguments report;
@@ -171,6 +196,7 @@ int command_line(int argc, char** argv) {
   }
   if (app.got_subcommand("run")) return command_run(run);
   if (app.got_subcommand("modes")) return command_modes(modes);
+  if (app.got_subcommand("bench")) return command_bench(bench);
   if (app.got_subcommand("verify")) return command_verify(verify);
   if (app.got_subcommand("report")) return command_report(report);
   if (app.got_subcommand("compare")) return command_compare(compare);

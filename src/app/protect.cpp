@@ -35,14 +35,17 @@ bool is_movie(const std::string& path) {
   return file.gcount() == 8 && std::string_view(head.data() + 4, 4) == "ftyp";
 }
 
-/// Whether the file begins as that of `washtub modes`.
-bool is_modes(const std::string& path) {
+/// Whether a mark stands in the first letters of the file.
+bool begins_with(const std::string& path, std::string_view mark) {
   std::ifstream file(path, std::ios::binary);
   std::array<char, 64> head{};
   file.read(head.data(), head.size());
-  return std::string_view(head.data(), static_cast<std::size_t>(file.gcount()))
-             .find("\"frequencies [Hz]\"") != std::string_view::npos;
+  return std::string_view(head.data(), static_cast<std::size_t>(file.gcount())).find(mark) !=
+         std::string_view::npos;
 }
+
+bool is_modes(const std::string& path) { return begins_with(path, "\"frequencies [Hz]\""); }
+bool is_speeds(const std::string& path) { return begins_with(path, "\"washtub bench\""); }
 
 void protect(const std::string& path, bool (*is_ours)(const std::string&), const char* kind) {
   std::error_code error;
@@ -60,5 +63,7 @@ void protect_page(const std::string& path) { protect(path, is_page, "page of was
 void protect_movie(const std::string& path) { protect(path, is_movie, "MP4 movie"); }
 
 void protect_modes(const std::string& path) { protect(path, is_modes, "file of washtub modes"); }
+
+void protect_speeds(const std::string& path) { protect(path, is_speeds, "file of washtub bench"); }
 
 }  // namespace washtub

@@ -11,5 +11,7 @@ void protect_movie(const std::string& path);
 
 /// The same of what `washtub modes` writes.
 void protect_modes(const std::string& path);
+/// The same of what `washtub bench` writes.
+void protect_speeds(const std::string& path);
 
 }  // namespace washtub

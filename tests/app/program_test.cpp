@@ -59,9 +59,10 @@ TEST_F(Program, RefusesWhatDoesNotFit) {
 TEST_F(Program, RefusesWrongCommandLines) {
   refuses("check nothing.toml", "nothing.toml: no such file");
   refuses("run " + wash() + " -n 0", "-n 0: allowed: 1 or more ranks");
-  refuses("wash",
-          "unknown command wash; there are run, check, modes, verify, report, compare, movie, "
-          "reference");
+  refuses(
+      "wash",
+      "unknown command wash; there are run, check, modes, bench, verify, report, compare, movie, "
+      "reference");
 }
 
 TEST_F(Program, DoesNotWriteOverTheCaseFile) {
@@ -95,19 +96,51 @@ TEST_F(Program, RefusesAFileAsDirectory) {
 TEST_F(Program, EveryCaseOfTheProjectIsValid) {
   for (const auto& entry : fs::recursive_directory_iterator("cases")) {
     if (entry.path().extension() != ".toml") continue;
-    const Outcome outcome = run("check " + fs::absolute(entry.path()).string());
+    const Outcome outcome = run("check --no-forecast " + fs::absolute(entry.path()).string());
     EXPECT_EQ(outcome.code, 0) << outcome.text;
   }
 }
 
 TEST_F(Program, CheckForeseesWhatTheGridCannotResolve) {
-  EXPECT_THAT(run("check " + wash() + " --set 'fluid.viscosity=1e-3 Pa s'").text,
+  EXPECT_THAT(run("check --no-forecast " + wash() + " --set 'fluid.viscosity=1e-3 Pa s'").text,
               HasSubstr("warning      the grid will hardly resolve this flow: at 3.9 m/s"));
-  EXPECT_THAT(run("check " + wash()).text, testing::Not(HasSubstr("hardly resolve")));
+  EXPECT_THAT(run("check --no-forecast " + wash()).text, testing::Not(HasSubstr("hardly resolve")));
+}
+
+/// On one rank and on several; what the case means is told once.
+TEST_F(Program, CheckForeseesTheRun) {
+  const std::string small = " --set domain.cells=16 --set cloth.count=0 --set time.end='1 s'";
+  for (const std::string ranks : {"1", "2"}) {
+    const Outcome outcome = run("check " + wash() + small + " -n " + ranks);
+    EXPECT_EQ(outcome.code, 0) << outcome.text;
+    const auto forecast = outcome.text.find("\nforecast     about 2");
+    ASSERT_NE(forecast, std::string::npos) << outcome.text;
+    EXPECT_THAT(outcome.text, HasSubstr(ranks == "1" ? " on one rank" : " on 2 ranks"));
+    EXPECT_THAT(outcome.text.substr(forecast), HasSubstr("\nmemory       about "));
+    EXPECT_THAT(outcome.text.substr(forecast), HasSubstr("\ndisk         about "));
+    EXPECT_EQ(outcome.text.find("case  "), outcome.text.rfind("case  "));
+  }
+  refuses("check " + wash() + " -n 0", "-n 0: allowed: 1 or more ranks");
+}
+
+TEST_F(Program, BenchComparesWithEarlierResults) {
+  refuses("bench --compare " + wash(),
+          wash() + ": no results of washtub bench; try a file that its -o wrote");
+  refuses("bench -o " + wash(),
+          wash() + ": exists and is no file of washtub bench; name another file with -o");
+  refuses("bench --filter nothing", "--filter: nothing has such a name");
+  const Outcome first = run("bench --filter triad -o speeds.json");
+  EXPECT_EQ(first.code, 0) << first.text;
+  EXPECT_THAT(first.text, HasSubstr("\ntriad "));
+  EXPECT_THAT(first.text, HasSubstr("100 %"));
+  const Outcome second = run("bench --filter triad -n 2 -o speeds.json --compare speeds.json");
+  EXPECT_EQ(second.code, 0) << second.text;
+  EXPECT_THAT(second.text, HasSubstr("speed-up"));
+  EXPECT_THAT(second.text, HasSubstr("2 ranks\nagainst commit "));
 }
 
 TEST_F(Program, CheckPrintsThePapersGroups) {
-  const std::string text = run("check " + wash()).text;
+  const std::string text = run("check --no-forecast " + wash()).text;
   for (const char* part : {"32 x 32 x 32 cells", "Re = 1208", "Te = 170", "Be = 2.2", "Se = 0.0638",
                            "To = 2.2", "In = 0.0003", "St = 0.0507", "16 pieces"})
     EXPECT_THAT(text, HasSubstr(part));
@@ -133,14 +166,14 @@ TEST_F(Program, CheckKeepsItsColumnsApart) {
          "[domain]\ncells = 32\n[time]\nend = \"1 s\"\n"
       << group << "\"8e5 N/m\"\n"
       << group << "\"8e-5 N/m\"\n";
-  const std::string text = run("check two.toml").text;
+  const std::string text = run("check --no-forecast two.toml").text;
   EXPECT_THAT(text, HasSubstr("Te of cloth 1 = 170  stretch stiffness"));
   EXPECT_THAT(text, HasSubstr("Te of cloth 2 = 1.7e-08  stretch stiffness"));
 }
 
 TEST_F(Program, CheckAndRunTellNotes) {
   const std::string note = wash() + ":38: output.window = ";
-  EXPECT_THAT(run("check " + wash() + " --set time.end='0.2 s'").text,
+  EXPECT_THAT(run("check --no-forecast " + wash() + " --set time.end='0.2 s'").text,
               HasSubstr("\nnote         " + note));
   const std::string shorter = " --set time.end='1 ms' --set domain.cells=16 --set cloth.count=0";
   for (const std::string ranks : {"1", "2"}) {
