@@ -1,12 +1,128 @@
 #include "coupling/immersed_boundary.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <type_traits>
 
 namespace washtub {
 namespace {
 
 constexpr double mobility_floor = 0.02;  // of that of a single cell
+
+/// Neighbouring values of a row, side by side in a vector register.
+using Lane = Eigen::Array<double, kernel_points, 1>;
+using Weights = std::array<double, kernel_points>;
+
+/// Calls work() with the number of points as a constant.
+template <class Work>
+void with_points(int points, Work&& work) {
+  if (points == 3)
+    work(std::integral_constant<int, 3>());
+  else
+    work(std::integral_constant<int, kernel_points>());
+}
+
+/// How one component meets the delta function of a marker.
+template <int D>
+struct Stencil {
+  const typename Stencils<D>::Place& place;
+  int component;
+  int width;  ///< of a row
+
+  int on_faces(int axis) const { return axis == component ? 1 : 0; }
+  long start() const { return place.start[on_faces(0)]; }
+  /// Whether its rows go on at their own beginning.
+  bool wraps() const { return start() + kernel_points > width; }
+  const std::array<long, kernel_points>& offset(int axis) const {
+    return place.offset[axis - 1][on_faces(axis)];
+  }
+  const Weights& weight(const typename Stencils<D>::WeightsOfAxes& w, int axis) const {
+    return w[axis][on_faces(axis)];
+  }
+};
+
+/// Calls visit(memory position at x = 0, l, m) for all rows: lines l of the last axis and, in 3-D, m
+/// of the one before.
+template <int Points, int D, class Visit>
+void for_rows(const Stencil<D>& s, Visit&& visit) {
+  for (int l = 0; l < Points; ++l)
+    if constexpr (D == 2)
+      visit(s.offset(1)[l], l, 0);
+    else
+      for (int m = 0; m < Points; ++m) visit(s.offset(2)[l] + s.offset(1)[m], l, m);
+}
+
+/// Calls visit(memory position, which) with the places of a row one by one.
+template <int D, class Visit>
+void for_wrapped(const Stencil<D>& s, long row, Visit&& visit) {
+  for (int i = 0; i < kernel_points; ++i) visit(row + (s.start() + i) % s.width, i);
+}
+
+/// Sum of weight times value(line).
+template <int Points, class Value>
+Lane weigh(const Weights& weight, Value&& value) {
+  Lane sum = weight[0] * value(0);
+  for (int l = 1; l < Points; ++l) sum += weight[l] * value(l);
+  return sum;
+}
+
+/// Sum over the rows of weight times value(memory position at x = 0), a Lane.
+template <int Points, int D, class Value>
+Lane weigh_rows(const Stencil<D>& s, const typename Stencils<D>::WeightsOfAxes& w, Value&& value) {
+  return weigh<Points>(s.weight(w, D - 1), [&](int l) -> Lane {
+    const long plane = s.offset(D - 1)[l];
+    if constexpr (D == 2) return value(plane);
+    return weigh<Points>(s.weight(w, 1),
+                         [&](int m) -> Lane { return value(plane + s.offset(1)[m]); });
+  });
+}
+
+/// Value of a component at a marker, with value(memory position).
+template <int Points, int D, class Value>
+double sum(const Stencil<D>& s, const typename Stencils<D>::WeightsOfAxes& w, Value&& value) {
+  Lane rows;
+  if (!s.wraps())
+    rows = weigh_rows<Points>(s, w, [&](long row) {
+      Lane v;
+      for (int i = 0; i < kernel_points; ++i) v[i] = value(row + s.start() + i);
+      return v;
+    });
+  else
+    rows = weigh_rows<Points>(s, w, [&](long row) {
+      Lane v;
+      for_wrapped(s, row, [&](long p, int i) { v[i] = value(p); });
+      return v;
+    });
+  return (rows * Eigen::Map<const Lane>(s.weight(w, 0).data())).sum();
+}
+
+/// Adds weights times `amount` to a field.
+template <int Points, int D>
+void add(const Stencil<D>& s, const typename Stencils<D>::WeightsOfAxes& w, double amount,
+         double* field) {
+  const Lane along = amount * Eigen::Map<const Lane>(s.weight(w, 0).data());
+  std::array<Weights, Points> weight{};
+  for (int l = 0; l < Points; ++l)
+    for (int m = 0; m < kernel_points; ++m)
+      weight[l][m] = D == 3 ? s.weight(w, 2)[l] * s.weight(w, 1)[m] : s.weight(w, 1)[l];
+  if (!s.wraps())
+    for_rows<Points>(s, [&](long row, int l, int m) {
+      Eigen::Map<Lane>(field + row + s.start()) += weight[l][m] * along;
+    });
+  else
+    for_rows<Points>(s, [&](long row, int l, int m) {
+      for_wrapped(s, row, [&](long p, int i) { field[p] += weight[l][m] * along[i]; });
+    });
+}
+
+template <int Points, int D>
+void zero(const Stencil<D>& s, double* field) {
+  if (!s.wraps())
+    for_rows<Points>(
+        s, [&](long row, int, int) { Eigen::Map<Lane>(field + row + s.start()) = Lane::Zero(); });
+  else
+    for_rows<Points>(
+        s, [&](long row, int, int) { for_wrapped(s, row, [&](long p, int) { field[p] = 0; }); });
+}
 
 }  // namespace
 
@@ -17,96 +133,66 @@ ImmersedBoundary<D>::ImmersedBoundary(const Grid<D>& grid, const Cloth<D>& cloth
       stencils_(grid, cloth, kernel, sides, marker_spacing),
       unit_(cloth.position.size(), Vec<D>::Ones()) {
   for (auto& o : ones_) o = grid.make_field();
-}
-
-/// The grid lines of `l` along an axis other than x that run through this rank.
-template <int D>
-typename ImmersedBoundary<D>::OwnLines ImmersedBoundary<D>::own(const Line& l, int axis) const {
-  const auto& block = grid_.block();
-  const int n = grid_.mesh().cells[axis];
-  OwnLines lines;
-  for (int m = 0; m < kernel_points; ++m) {
-    int i = l.start + m;
-    i = (i < n ? i : i - n) - block.offset[axis];
-    if (i < 0 || i >= block.count[axis]) continue;
-    lines.offset[lines.count] = block.stride[axis] * i;
-    lines.weight[lines.count++] = l.weight[m];
-  }
-  return lines;
-}
-
-/// Calls visit(memory position of the row, weight) for the rows of a stencil that this rank owns.
-template <int D>
-template <class Visit>
-void ImmersedBoundary<D>::for_rows(const Stencil& s, int component, Visit&& visit) const {
-  const long first = grid_.block().row(0, 0);
-  const OwnLines planes = own(s.along(D - 1, component), D - 1);
-  if constexpr (D == 2) {
-    for (int k = 0; k < planes.count; ++k) visit(first + planes.offset[k], planes.weight[k]);
-  } else {
-    const OwnLines rows = own(s.along(1, component), 1);
-    for (int k = 0; k < planes.count; ++k)
-      for (int j = 0; j < rows.count; ++j)
-        visit(first + planes.offset[k] + rows.offset[j], planes.weight[k] * rows.weight[j]);
-  }
+  touched_.reserve(static_cast<std::size_t>(stencils_.markers().count()));
 }
 
 template <int D>
 void ImmersedBoundary<D>::spread(const std::vector<Vec<D>>& G, Components<D>& f) const {
   const double per_volume = 1 / grid_.mesh().cell_volume();
-  const int n = grid_.mesh().cells[0];
   const auto& markers = stencils_.markers();
-  for (const int m : stencils_.local()) {
-    Vec<D> force = Vec<D>::Zero();
-    for (int c = 0; c < Markers<D>::corners; ++c)
-      force += markers.share(m)[c] * G[markers.nodes(m)[c]];
-    force *= per_volume;
-    const auto& s = stencils_[m];
-    for (int c = 0; c < D; ++c) {
-      const Line& x = s.along(0, c);
-      double* field = f[c].data();
-      Weights g = x.weight;
-      for (double& w : g) w *= force[c];
-      if (x.start + kernel_points <= n)
-        for_rows(s, c, [&](long row, double weight) {
-          double* q = field + row + x.start;
-          for (int i = 0; i < kernel_points; ++i) q[i] += weight * g[i];
-        });
-      else
-        for_rows(s, c, [&](long row, double weight) {
-          for (int i = 0; i < kernel_points; ++i) field[row + (x.start + i) % n] += weight * g[i];
-        });
+  const int width = grid_.block().width();
+  with_points(stencils_.points(), [&](auto points) {
+    for (std::size_t i = 0; i < stencils_.local().size(); ++i) {
+      const int m = stencils_.local()[i];
+      Vec<D> force = Vec<D>::Zero();
+      for (int c = 0; c < Markers<D>::corners; ++c)
+        force += markers.share(m)[c] * G[markers.nodes(m)[c]];
+      force *= per_volume;
+      for (int c = 0; c < D; ++c)
+        add<points(), D>({stencils_.places()[i], c, width}, stencils_.weights()[i], force[c],
+                         f[c].data());
     }
-  }
+  });
+}
+
+/// f = 0 at places of delta functions.
+template <int D>
+void ImmersedBoundary<D>::clear(const std::vector<Place>& places, Components<D>& f) const {
+  const int width = grid_.block().width();
+  with_points(stencils_.points(), [&](auto points) {
+    for (const Place& place : places)
+      for (int c = 0; c < D; ++c) zero<points(), D>({place, c, width}, f[c].data());
+  });
+}
+
+template <int D>
+void ImmersedBoundary<D>::replace(const std::vector<Vec<D>>& G, Components<D>& f) {
+  if (known_)
+    clear(touched_, f);
+  else
+    for (auto& component : f) component.fill(0);
+  spread(G, f);
+  touched_ = stencils_.places();
+  known_ = true;
 }
 
 /// U_i = sum over its markers of share times component(c)(memory position).
 template <int D>
 template <class Component>
 void ImmersedBoundary<D>::gather(Component&& component, std::vector<Vec<D>>& U) const {
-  const int n = grid_.mesh().cells[0];
   const auto& markers = stencils_.markers();
   std::fill(U.begin(), U.end(), Vec<D>::Zero());
-  for (const int m : stencils_.local()) {
-    const auto& s = stencils_[m];
-    Vec<D> u;
-    for (int c = 0; c < D; ++c) {
-      const Line& x = s.along(0, c);
-      const auto value = component(c);
-      Weights sum{};  // over the rows, for each place along x
-      if (x.start + kernel_points <= n)
-        for_rows(s, c, [&](long row, double weight) {
-          for (int i = 0; i < kernel_points; ++i) sum[i] += weight * value(row + x.start + i);
-        });
-      else
-        for_rows(s, c, [&](long row, double weight) {
-          for (int i = 0; i < kernel_points; ++i) sum[i] += weight * value(row + (x.start + i) % n);
-        });
-      u[c] = 0;
-      for (int i = 0; i < kernel_points; ++i) u[c] += x.weight[i] * sum[i];
+  const int width = grid_.block().width();
+  with_points(stencils_.points(), [&](auto points) {
+    for (std::size_t i = 0; i < stencils_.local().size(); ++i) {
+      const int m = stencils_.local()[i];
+      Vec<D> u;
+      for (int c = 0; c < D; ++c)
+        u[c] = sum<points(), D>({stencils_.places()[i], c, width}, stencils_.weights()[i], component(c));
+      for (int c = 0; c < Markers<D>::corners; ++c)
+        U[markers.nodes(m)[c]] += markers.share(m)[c] * u;
     }
-    for (int c = 0; c < Markers<D>::corners; ++c) U[markers.nodes(m)[c]] += markers.share(m)[c] * u;
-  }
+  });
   grid_.parallel().sum(std::span<double>(U.front().data(), U.size() * D));
 }
 
@@ -135,7 +221,6 @@ void ImmersedBoundary<D>::add_given(std::vector<Vec<D>>& U) const {
 template <int D>
 void ImmersedBoundary<D>::mobility(const Openings<D>& openings, double density,
                                    std::vector<Vec<D>>& mobility) {
-  for (auto& o : ones_) o.fill(0);
   spread(unit_, ones_);
   gather(
       [&](int c) {
@@ -143,6 +228,7 @@ void ImmersedBoundary<D>::mobility(const Openings<D>& openings, double density,
             [one = ones_[c].data(), open = openings.open[c]](long p) { return one[p] * open[p]; };
       },
       mobility);
+  clear(stencils_.places(), ones_);
   const double floor = mobility_floor / (density * grid_.mesh().cell_volume());
   for (auto& d : mobility) d = (d / density).cwiseMax(floor);
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace washtub {
 namespace {
@@ -20,11 +21,37 @@ double peskin4(double r) {
   return 0;
 }
 
-/// The four cosines differ by quarter turns, so one sine and cosine give all.
-std::array<double, kernel_points> cosine_weights(double fraction) {
-  const double a = 0.5 * std::numbers::pi * fraction;
-  const double c = 0.25 * std::cos(a), s = 0.25 * std::sin(a);
-  return {0.25 - s, 0.25 + c, 0.25 + s, 0.25 - c};
+/// Weights by the four cosines, which differ by quarter turns.
+KernelLine four_cosines(int start, double cosine, double sine) {
+  return {start,
+          {0.25 - 0.25 * sine, 0.25 + 0.25 * cosine, 0.25 + 0.25 * sine, 0.25 - 0.25 * cosine}};
+}
+
+// From x^3 and x^2 on.
+constexpr std::array<double, 7> sine_series = {
+    -1.0 / 6,         1.0 / 120,        -1.0 / 5040,          1.0 / 362880,
+    -1.0 / 39916800, 1.0 / 6227020800, -1.0 / 1307674368000};
+constexpr std::array<double, 8> cosine_series = {
+    -1.0 / 2,       1.0 / 24,        -1.0 / 720,          1.0 / 40320,
+    -1.0 / 3628800, 1.0 / 479001600, -1.0 / 87178291200, 1.0 / 20922789888000};
+
+/// Sine and cosine of |x| <= pi / 4 to the last digit or two, by their series.
+std::pair<double, double> sine_cosine(double x) {
+  const double y = x * x;
+  double s = sine_series.back(), c = cosine_series.back();
+  for (std::size_t i = sine_series.size() - 1; i-- > 0;) s = s * y + sine_series[i];
+  for (std::size_t i = cosine_series.size() - 1; i-- > 0;) c = c * y + cosine_series[i];
+  return {x + x * y * s, 1 + y * c};
+}
+
+/// Both lie an eighth of a turn apart, on either side of the middle between two faces.
+KernelPair cosine_pair(double x) {
+  const double whole = std::floor(x), from_middle = x - whole - 0.5;
+  const int start = static_cast<int>(whole) - 1;
+  const auto [s, c] = sine_cosine(0.5 * std::numbers::pi * from_middle);
+  constexpr double half = 0.5 * std::numbers::sqrt2;
+  return {four_cosines(start, half * (c - s), half * (c + s)),
+          from_middle < 0 ? four_cosines(start - 1, -s, c) : four_cosines(start, c, s)};
 }
 
 }  // namespace
@@ -42,12 +69,17 @@ double kernel_value(Kernel kernel, double r) {
   return 0;
 }
 
-std::array<double, kernel_points> kernel_weights(Kernel kernel, double x) {
-  const double fraction = x - std::floor(x);
-  if (kernel == Kernel::cosine) return cosine_weights(fraction);
-  std::array<double, kernel_points> w;
-  for (int m = 0; m < kernel_points; ++m) w[m] = kernel_value(kernel, fraction - (m - 1));
-  return w;
+KernelLine kernel_line(Kernel kernel, double x) {
+  const int points = points_of(kernel);
+  const double first = std::floor(points == 3 ? x - 0.5 : x - 1);
+  KernelLine line{static_cast<int>(first), {}};
+  for (int m = 0; m < points; ++m) line.weight[m] = kernel_value(kernel, x - first - m);
+  return line;
+}
+
+KernelPair kernel_pair(Kernel kernel, double x) {
+  if (kernel == Kernel::cosine) return cosine_pair(x);
+  return {kernel_line(kernel, x), kernel_line(kernel, x - 0.5)};
 }
 
 }  // namespace washtub

@@ -11,13 +11,28 @@ enum class Kernel {
   peskin4,  ///< four points (Peskin 2002)
 };
 
-/// Points a kernel can reach; those beyond a narrower kernel get weight 0.
+/// Most points that a kernel reaches.
 inline constexpr int kernel_points = 4;
+/// Points that this one reaches.
+constexpr int points_of(Kernel kernel) { return kernel == Kernel::roma3 ? 3 : kernel_points; }
+
+/// Weights h phi of the grid points from `start` on; those that the kernel does not reach have 0.
+struct KernelLine {
+  int start;
+  std::array<double, kernel_points> weight;
+};
 
 /// h phi at a distance of r cells.
 double kernel_value(Kernel kernel, double r);
 
-/// Weights h phi of the grid points floor(x) - 1 ... floor(x) + 2 for a marker at x cells.
-std::array<double, kernel_points> kernel_weights(Kernel kernel, double x);
+/// Weights of a marker at x cells.
+KernelLine kernel_line(Kernel kernel, double x);
+
+/// Weights of a marker on faces and on cell centres, point i of which lies half a cell beyond face
+/// i: kernel_line at x and at x - 1/2, at less cost.
+struct KernelPair {
+  KernelLine face, centre;
+};
+KernelPair kernel_pair(Kernel kernel, double x);
 
 }  // namespace washtub

@@ -35,9 +35,12 @@ Stencils<D>::Stencils(const Grid<D>& grid, const Cloth<D>& cloth, Kernel kernel,
     : grid_(grid),
       cloth_(cloth),
       kernel_(kernel),
-      markers_(cloth, spacing * grid.mesh().h.minCoeff()),
-      stencils_(static_cast<std::size_t>(markers_.count())) {
-  local_.reserve(stencils_.size());
+      points_(points_of(kernel)),
+      markers_(cloth, spacing * grid.mesh().h.minCoeff()) {
+  const auto count = static_cast<std::size_t>(markers_.count());
+  local_.reserve(count);
+  places_.reserve(count);
+  weights_.reserve(count);
   for (int d = 0; d < D; ++d)
     for (int side = 0; side < 2; ++side) {
       const auto& s = sides[d][side];
@@ -50,22 +53,32 @@ Stencils<D>::Stencils(const Grid<D>& grid, const Cloth<D>& cloth, Kernel kernel,
     }
 }
 
-/// Weights along one axis. Points beyond a side are folded back onto the point they mirror, with
-/// what is left of the side's own velocity in `given`.
+/// On return `lines` are those of a marker at x; false if they are not on this rank, and then they
+/// are complete only where sides move.
 template <int D>
-typename Stencils<D>::Line Stencils<D>::line(double x, int axis, bool on_faces) const {
+bool Stencils<D>::find_lines(const Vec<D>& x, Lines& lines) const {
   const auto& mesh = grid_.mesh();
-  const int n = mesh.cells[axis];
-  double cells = (x - mesh.lower[axis]) / mesh.h[axis] - (on_faces ? 0.0 : 0.5);
-  if (mesh.periodic[axis]) cells -= n * std::floor(cells / n);
-  Line l{static_cast<int>(std::floor(cells)) - 1, kernel_weights(kernel_, cells)};
-  if (mesh.periodic[axis]) {
-    l.start = (l.start % n + n) % n;
-    return l;
+  bool here = true;
+  for (int d = D - 1; d >= 0 && (here || moving_sides_); --d) {
+    double cells = (x[d] - mesh.lower[d]) / mesh.h[d];
+    if (mesh.periodic[d]) cells -= mesh.cells[d] * std::floor(cells / mesh.cells[d]);
+    const KernelPair pair = kernel_pair(kernel_, cells);
+    lines[d] = {fold(pair.centre, d, false), fold(pair.face, d, true)};
+    here = here && (reaches_block(lines[d][0], d) || reaches_block(lines[d][1], d));
   }
-  if (l.start >= 0 && l.start + kernel_points <= n) return l;
-  Line folded{std::clamp(l.start, 0, n - kernel_points), {}};
-  for (int m = 0; m < kernel_points; ++m) {
+  return here;
+}
+
+/// Points beyond a side are folded back onto the point they mirror, with what is left of the side's
+/// own velocity in `given`.
+template <int D>
+typename Stencils<D>::Line Stencils<D>::fold(const KernelLine& l, int axis, bool on_faces) const {
+  const int n = grid_.mesh().cells[axis];
+  const int width = axis == 0 ? kernel_points : points_;
+  if (grid_.mesh().periodic[axis]) return {{(l.start % n + n) % n, l.weight}};
+  if (l.start >= 0 && l.start + width <= n) return {l};
+  Line folded{{std::clamp(l.start, 0, n - width), {}}};
+  for (int m = 0; m < points_; ++m) {
     int i = l.start + m;
     double w = l.weight[m];
     const int side = i < 0 ? 0 : 1;
@@ -77,38 +90,55 @@ typename Stencils<D>::Line Stencils<D>::line(double x, int axis, bool on_faces) 
       if (odd) w = -w;
     }
     if (i == n) folded.given += w, folded.side = 1;
-    const int at = i - folded.start;
-    if (at >= 0 && at < kernel_points) folded.weight[at] += w;
+    const int at = i - folded.kernel.start;
+    if (at >= 0 && at < width) folded.kernel.weight[at] += w;
   }
   return folded;
 }
 
 template <int D>
-bool Stencils<D>::reaches_block(const Stencil& s) const {
+bool Stencils<D>::reaches_block(const Line& l, int axis) const {
+  if (grid_.ranks()[axis] == 1) return true;
   const auto& block = grid_.block();
-  for (int d = 1; d < D; ++d) {
-    if (grid_.ranks()[d] == 1) continue;
-    bool any = false;
-    for (const Line* l : {&s.face[d], &s.centre[d]})
-      for (int m = 0; m < kernel_points; ++m) {
-        const int n = grid_.mesh().cells[d];
-        const int i = (l->start + m) % n - block.offset[d];
-        any = any || (i >= 0 && i < block.count[d]);
-      }
-    if (!any) return false;
+  for (int m = 0; m < points_; ++m) {
+    const int i = (l.kernel.start + m) % grid_.mesh().cells[axis] - block.offset[axis];
+    if (i >= 0 && i < block.count[axis]) return true;
   }
-  return true;
+  return false;
+}
+
+template <int D>
+void Stencils<D>::keep(int marker, const Lines& lines) {
+  const auto& block = grid_.block();
+  local_.push_back(marker);
+  auto& place = places_.emplace_back();
+  auto& weights = weights_.emplace_back();
+  for (int on_faces = 0; on_faces < 2; ++on_faces) {
+    place.start[on_faces] = lines[0][on_faces].kernel.start;
+    weights[0][on_faces] = lines[0][on_faces].kernel.weight;
+    for (int d = 1; d < D; ++d) {
+      const int n = grid_.mesh().cells[d], count = block.count[d];
+      const long first = d == D - 1 ? block.row(0, 0) : 0;
+      const auto& l = lines[d][on_faces].kernel;
+      for (int m = 0; m < kernel_points; ++m) {
+        int i = l.start + m;
+        i = (i < n ? i : i - n) - block.offset[d];
+        place.offset[d - 1][on_faces][m] = first + block.stride[d] * std::clamp(i, 0, count - 1);
+        weights[d][on_faces][m] = i >= 0 && i < count ? l.weight[m] : 0;
+      }
+    }
+  }
 }
 
 /// What the sides' own velocities add to that of a marker, taking one axis after the other.
 template <int D>
-Vec<D> Stencils<D>::drag(const Stencil& s) const {
+Vec<D> Stencils<D>::drag(const Lines& lines) const {
   Vec<D> u = Vec<D>::Zero();
   for (int c = 0; c < D; ++c)
     for (int d = 0; d < D; ++d) {
-      const Line& l = s.along(d, c);
+      const Line& l = lines[d][d == c];
       double sum = 0;
-      for (const double w : l.weight) sum += w;
+      for (const double w : l.kernel.weight) sum += w;
       u[c] = sum * u[c] + l.given * side_velocity_[d][l.side][c];
     }
   return u;
@@ -136,7 +166,10 @@ void Stencils<D>::keep_off_open_sides(const Vec<D>& x, int marker) const {
 template <int D>
 void Stencils<D>::place(const std::vector<Vec<D>>& X) {
   local_.clear();
+  places_.clear();
+  weights_.clear();
   given_.clear();
+  Lines lines;
   for (int m = 0; m < markers_.count(); ++m) {
     const Vec<D> x = markers_.position(m, X);
     if (!x.allFinite())
@@ -144,14 +177,9 @@ void Stencils<D>::place(const std::vector<Vec<D>>& X) {
           "the place of the cloth is no longer finite; try a smaller time.step, or coupling.scheme "
           "= \"implicit\"");
     keep_off_open_sides(x, m);
-    auto& s = stencils_[m];
-    for (int d = 0; d < D; ++d) {
-      s.face[d] = line(x[d], d, true);
-      s.centre[d] = line(x[d], d, false);
-    }
-    if (reaches_block(s)) local_.push_back(m);
+    if (find_lines(x, lines)) keep(m, lines);
     if (!moving_sides_) continue;
-    const Vec<D> u = drag(s);
+    const Vec<D> u = drag(lines);
     if (u != Vec<D>::Zero()) given_.emplace_back(m, u);
   }
 }

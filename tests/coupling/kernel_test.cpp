@@ -14,8 +14,7 @@ struct Moments {
 
 /// Moments about a marker at x cells of its weights on the grid points.
 Moments moments(Kernel kernel, double x) {
-  const auto w = kernel_weights(kernel, x);
-  const double start = std::floor(x) - 1;
+  const auto [start, w] = kernel_line(kernel, x);
   Moments m;
   for (int i = 0; i < kernel_points; ++i) {
     m.sum += w[i];
@@ -44,9 +43,23 @@ TEST_P(AnyKernel, WeightsAddUpToOne) {
 
 TEST_P(AnyKernel, WeightsAreItsValues) {
   for_places([](double x) {
-    const auto w = kernel_weights(GetParam(), x);
-    for (int i = 0; i < kernel_points; ++i)
-      EXPECT_NEAR(w[i], kernel_value(GetParam(), x - (std::floor(x) - 1 + i)), 1e-14) << x;
+    const auto [start, w] = kernel_line(GetParam(), x);
+    for (int i = start - 1; i < start + 5; ++i)
+      EXPECT_NEAR(i >= start && i < start + kernel_points ? w[i - start] : 0,
+                  kernel_value(GetParam(), x - i), 1e-14)
+          << x;
+    for (int m = points_of(GetParam()); m < kernel_points; ++m) EXPECT_EQ(w[m], 0);
+  });
+}
+
+TEST_P(AnyKernel, FindsFacesAndCentresTogether) {
+  for_places([](double x) {
+    const auto both = kernel_pair(GetParam(), x);
+    for (const auto& [line, at] : {std::pair{both.face, x}, {both.centre, x - 0.5}})
+      for (int i = line.start - 1; i < line.start + 5; ++i)
+        EXPECT_NEAR(i >= line.start && i < line.start + kernel_points ? line.weight[i - line.start] : 0,
+                    kernel_value(GetParam(), at - i), 1e-14)
+            << x;
   });
 }
 
