@@ -16,7 +16,10 @@ struct Wash {
   Mesh<3> mesh = build_mesh<3>(whole);
   Grid<3> grid{mesh, Parallel(), granularity(mesh)};
   DomainMapping<3> mapping{grid, build_solids(whole), 0};
-  Flow<3> flow{grid, whole.fluid.density, whole.fluid.viscosity, build_sides<3>(whole),
+  Flow<3> flow{grid,
+               whole.fluid.density,
+               whole.fluid.viscosity,
+               build_sides<3>(whole),
                {mapping.open(), false}};
   Cloth<3> cloth = build_cloth<3>(whole);
   ImmersedBoundary<3> boundary;
@@ -51,14 +54,11 @@ void interpolate_provisional(benchmark::State& state) {
   measure(state, [](Wash& w) { w.boundary.interpolate(w.flow.provisional(), w.nodes); });
 }
 void mobility(benchmark::State& state) {
-  measure(state, [](Wash& w) {
-    w.boundary.mobility(w.flow.openings(), w.flow.density(), w.nodes);
-  });
+  measure(state,
+          [](Wash& w) { w.boundary.mobility(w.flow.openings(), w.flow.density(), w.nodes); });
 }
 void replace(benchmark::State& state) {
-  measure(state, [](Wash& w) {
-    w.boundary.replace(w.nodes, w.flow.force());
-  });
+  measure(state, [](Wash& w) { w.boundary.replace(w.nodes, w.flow.force()); });
 }
 
 BENCHMARK(place)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond);

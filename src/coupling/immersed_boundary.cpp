@@ -40,8 +40,8 @@ struct Stencil {
   }
 };
 
-/// Calls visit(memory position at x = 0, l, m) for all rows: lines l of the last axis and, in 3-D, m
-/// of the one before.
+/// Calls visit(memory position at x = 0, l, m) for all rows: lines l of the last axis and, in 3-D,
+/// m of the one before.
 template <int Points, int D, class Visit>
 void for_rows(const Stencil<D>& s, Visit&& visit) {
   for (int l = 0; l < Points; ++l)
@@ -57,9 +57,10 @@ void for_wrapped(const Stencil<D>& s, long row, Visit&& visit) {
   for (int i = 0; i < kernel_points; ++i) visit(row + (s.start() + i) % s.width, i);
 }
 
-/// Sum of weight times value(line).
+/// Sum of weight times value(line). Inlined by force: as a call for each line it takes twice as
+/// long.
 template <int Points, class Value>
-Lane weigh(const Weights& weight, Value&& value) {
+[[gnu::always_inline]] inline Lane weigh(const Weights& weight, Value&& value) {
   Lane sum = weight[0] * value(0);
   for (int l = 1; l < Points; ++l) sum += weight[l] * value(l);
   return sum;
@@ -67,7 +68,9 @@ Lane weigh(const Weights& weight, Value&& value) {
 
 /// Sum over the rows of weight times value(memory position at x = 0), a Lane.
 template <int Points, int D, class Value>
-Lane weigh_rows(const Stencil<D>& s, const typename Stencils<D>::WeightsOfAxes& w, Value&& value) {
+[[gnu::always_inline]] inline Lane weigh_rows(const Stencil<D>& s,
+                                              const typename Stencils<D>::WeightsOfAxes& w,
+                                              Value&& value) {
   return weigh<Points>(s.weight(w, D - 1), [&](int l) -> Lane {
     const long plane = s.offset(D - 1)[l];
     if constexpr (D == 2) return value(plane);
@@ -114,6 +117,7 @@ void add(const Stencil<D>& s, const typename Stencils<D>::WeightsOfAxes& w, doub
     });
 }
 
+/// Sets a field to 0 where the delta function meets it.
 template <int Points, int D>
 void zero(const Stencil<D>& s, double* field) {
   if (!s.wraps())
@@ -188,7 +192,8 @@ void ImmersedBoundary<D>::gather(Component&& component, std::vector<Vec<D>>& U) 
       const int m = stencils_.local()[i];
       Vec<D> u;
       for (int c = 0; c < D; ++c)
-        u[c] = sum<points(), D>({stencils_.places()[i], c, width}, stencils_.weights()[i], component(c));
+        u[c] = sum<points(), D>({stencils_.places()[i], c, width}, stencils_.weights()[i],
+                                component(c));
       for (int c = 0; c < Markers<D>::corners; ++c)
         U[markers.nodes(m)[c]] += markers.share(m)[c] * u;
     }

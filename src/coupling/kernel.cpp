@@ -29,10 +29,10 @@ KernelLine four_cosines(int start, double cosine, double sine) {
 
 // From x^3 and x^2 on.
 constexpr std::array<double, 7> sine_series = {
-    -1.0 / 6,         1.0 / 120,        -1.0 / 5040,          1.0 / 362880,
+    -1.0 / 6,        1.0 / 120,        -1.0 / 5040,         1.0 / 362880,
     -1.0 / 39916800, 1.0 / 6227020800, -1.0 / 1307674368000};
 constexpr std::array<double, 8> cosine_series = {
-    -1.0 / 2,       1.0 / 24,        -1.0 / 720,          1.0 / 40320,
+    -1.0 / 2,       1.0 / 24,        -1.0 / 720,         1.0 / 40320,
     -1.0 / 3628800, 1.0 / 479001600, -1.0 / 87178291200, 1.0 / 20922789888000};
 
 /// Sine and cosine of |x| <= pi / 4 to the last digit or two, by their series.

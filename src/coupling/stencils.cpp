@@ -117,14 +117,21 @@ void Stencils<D>::keep(int marker, const Lines& lines) {
     place.start[on_faces] = lines[0][on_faces].kernel.start;
     weights[0][on_faces] = lines[0][on_faces].kernel.weight;
     for (int d = 1; d < D; ++d) {
-      const int n = grid_.mesh().cells[d], count = block.count[d];
-      const long first = d == D - 1 ? block.row(0, 0) : 0;
       const auto& l = lines[d][on_faces].kernel;
+      auto& offset = place.offset[d - 1][on_faces];
+      auto& weight = weights[d][on_faces];
+      const int n = grid_.mesh().cells[d], count = block.count[d],
+                start = l.start - block.offset[d];
+      const long first = d == D - 1 ? block.row(0, 0) : 0, stride = block.stride[d];
+      weight = l.weight;
+      if (start >= 0 && start + kernel_points <= count) {
+        for (int m = 0; m < kernel_points; ++m) offset[m] = first + stride * (start + m);
+        continue;
+      }
       for (int m = 0; m < kernel_points; ++m) {
-        int i = l.start + m;
-        i = (i < n ? i : i - n) - block.offset[d];
-        place.offset[d - 1][on_faces][m] = first + block.stride[d] * std::clamp(i, 0, count - 1);
-        weights[d][on_faces][m] = i >= 0 && i < count ? l.weight[m] : 0;
+        const int i = l.start + m < n ? start + m : start + m - n;
+        offset[m] = first + stride * std::clamp(i, 0, count - 1);
+        if (i < 0 || i >= count) weight[m] = 0;
       }
     }
   }

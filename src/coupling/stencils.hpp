@@ -28,8 +28,8 @@ class Stencils {
   /// Where each axis is met: [0] on cell centres, [1] on faces normal to it.
   template <class T>
   using Staggered = std::array<T, 2>;
-  /// Where a delta function stands in this rank's block: the places in memory that it meets are sums
-  /// of a start along x, with the points that follow, and of one offset for each other axis.
+  /// Where a delta function stands in this rank's block: the places in memory that it meets are
+  /// sums of a start along x, with the points that follow, and of one offset for each other axis.
   struct Place {
     Staggered<long> start;  ///< on a periodic axis a row may go on at its own beginning
     /// Lines of another rank, of weight 0, are moved into the block.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -127,10 +128,14 @@ TEST(ImmersedBoundary, SpreadsAndInterpolatesAsAdjoints) {
   }
 }
 
-TEST(ImmersedBoundary, IsTheSameOnAnyNumberOfRanks) {
+class AnyWidth : public ::testing::TestWithParam<Kernel> {};
+INSTANTIATE_TEST_SUITE_P(ImmersedBoundary, AnyWidth,
+                         ::testing::Values(Kernel::cosine, Kernel::roma3));
+
+TEST_P(AnyWidth, IsTheSameOnAnyNumberOfRanks) {
   const auto cloth = dots(points_in(tank<3>(), 150));
   const auto G = random_forces<3>(cloth.position.size());
-  const Tank<3> all(cloth, Kernel::cosine), one(cloth, Kernel::cosine, Parallel(MPI_COMM_SELF));
+  const Tank<3> all(cloth, GetParam()), one(cloth, GetParam(), Parallel(MPI_COMM_SELF));
   const auto U = all.velocity(noise<3>), V = one.velocity(noise<3>);
   for (std::size_t i = 0; i < U.size(); ++i) EXPECT_LT((U[i] - V[i]).norm(), 1e-14);
   const auto f = all.spread(G), g = one.spread(G);
@@ -142,6 +147,28 @@ TEST(ImmersedBoundary, IsTheSameOnAnyNumberOfRanks) {
         for (int i = 0; i < a.width(); ++i)
           ASSERT_NEAR(f[d][a.row(j, k) + i], g[d][b.row(j + a.offset[1], k + a.offset[2]) + i],
                       1e-9);  // of 1e3 to 1e4
+}
+
+/// Near sides and across periodic ends too, from place to place and over what others left.
+TEST_P(AnyWidth, ReplacesTheForceOfThePlaceBefore) {
+  Tank<3> tank(dots(points_in(::tank<3>(), 150)), GetParam());
+  const auto G = random_forces<3>(150);
+  auto f = make_fields<3>(tank.grid);
+  for (auto& component : f) component.fill(7);
+  auto where = tank.cloth.position;
+  for (int move = 0; move < 3; ++move) {
+    std::rotate(where.begin(), where.begin() + 1, where.end());
+    where.back()[0] += 0.13;
+    tank.boundary.place(where);
+    if (move == 2) {
+      f[1].fill(3);
+      tank.boundary.forget();
+    }
+    tank.boundary.replace(G, f);
+    const auto fresh = tank.spread(G);
+    for (int d = 0; d < 3; ++d)
+      for (std::size_t p = 0; p < f[d].size(); ++p) ASSERT_EQ(f[d][p], fresh[d][p]) << move;
+  }
 }
 
 TEST(ImmersedBoundary, SpreadsTheWholeForce) {
@@ -222,10 +249,10 @@ Mesh<2> closed_box() { return {{0, 0}, {0.05, 0.05}, {16, 16}, {false, false}}; 
 
 /// The velocity of one node in water with u = flow(axis, x) on all faces but those on upper sides.
 template <class FlowOf>
-Vec<2> velocity_near_driven_sides(const Vec<2>& x, FlowOf&& flow) {
+Vec<2> velocity_near_driven_sides(const Vec<2>& x, Kernel kernel, FlowOf&& flow) {
   const Grid<2> grid(closed_box(), Parallel(), granularity(closed_box()));
   const auto cloth = dots<2>({x});
-  ImmersedBoundary<2> boundary(grid, cloth, Kernel::peskin4, driven_sides());
+  ImmersedBoundary<2> boundary(grid, cloth, kernel, driven_sides());
   boundary.place(cloth.position);
   auto u = make_fields<2>(grid);
   fill_faces<2>(grid, u, [&](int d, const auto&, const Vec<2>& y) { return flow(d, y); });
@@ -236,7 +263,7 @@ Vec<2> velocity_near_driven_sides(const Vec<2>& x, FlowOf&& flow) {
 
 }  // namespace
 
-/// The kernel reproduces linear flow, also where it reaches beyond the side.
+/// These kernels reproduce linear flow, also where it reaches beyond the side.
 TEST(ImmersedBoundary, KnowsHowSidesMove) {
   for (const int side : {0, 1})
     for (const double cells : {0.0, 0.3, 0.5, 1.2}) {
@@ -250,8 +277,10 @@ TEST(ImmersedBoundary, KnowsHowSidesMove) {
         const auto flow = [&](int d, const Vec<2>& y) {
           return wall[d] + slope[d] * (y[axis] - at);
         };
-        const auto U = velocity_near_driven_sides(x, flow);
-        for (int d = 0; d < 2; ++d) EXPECT_NEAR(U[d], flow(d, x), 1e-13);
+        for (const Kernel kernel : {Kernel::peskin4, Kernel::roma3}) {
+          const auto U = velocity_near_driven_sides(x, kernel, flow);
+          for (int d = 0; d < 2; ++d) EXPECT_NEAR(U[d], flow(d, x), 1e-13);
+        }
       }
     }
 }

@@ -57,8 +57,9 @@ TEST_P(AnyKernel, FindsFacesAndCentresTogether) {
     const auto both = kernel_pair(GetParam(), x);
     for (const auto& [line, at] : {std::pair{both.face, x}, {both.centre, x - 0.5}})
       for (int i = line.start - 1; i < line.start + 5; ++i)
-        EXPECT_NEAR(i >= line.start && i < line.start + kernel_points ? line.weight[i - line.start] : 0,
-                    kernel_value(GetParam(), at - i), 1e-14)
+        EXPECT_NEAR(
+            i >= line.start && i < line.start + kernel_points ? line.weight[i - line.start] : 0,
+            kernel_value(GetParam(), at - i), 1e-14)
             << x;
   });
 }
