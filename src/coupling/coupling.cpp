@@ -77,7 +77,9 @@ void Coupling<D>::find_velocity() {
 template <int D>
 void Coupling<D>::spread_force() {
   for (std::size_t k = 0; k < pin_force_.size(); ++k) step_.force[step_.pinned[k]] = pin_force_[k];
-  boundary_.replace(step_.force, step_.flow.force());
+  auto& f = step_.flow.force();
+  for (auto& component : f) component.fill(0);
+  boundary_.spread(step_.force, f);
 }
 
 template <int D>

@@ -48,9 +48,7 @@ class Coupling {
     archive.same_length("place of mobility", place_of_mobility_);
     archive.value("age of mobility", age_of_mobility_);
     archive.value("barrier", barrier_);
-    if (!archive.reading()) return;
-    stage_ = Stage::moved;  // a step that failed is forgotten
-    boundary_.forget();
+    if (archive.reading()) stage_ = Stage::moved;  // a step that failed is forgotten
   }
 
   /// Moment of the contact forces on a solid about its axis [N m], in the last step.

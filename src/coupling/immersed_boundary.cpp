@@ -117,17 +117,6 @@ void add(const Stencil<D>& s, const typename Stencils<D>::WeightsOfAxes& w, doub
     });
 }
 
-/// Sets a field to 0 where the delta function meets it.
-template <int Points, int D>
-void zero(const Stencil<D>& s, double* field) {
-  if (!s.wraps())
-    for_rows<Points>(
-        s, [&](long row, int, int) { Eigen::Map<Lane>(field + row + s.start()) = Lane::Zero(); });
-  else
-    for_rows<Points>(
-        s, [&](long row, int, int) { for_wrapped(s, row, [&](long p, int) { field[p] = 0; }); });
-}
-
 }  // namespace
 
 template <int D>
@@ -137,7 +126,6 @@ ImmersedBoundary<D>::ImmersedBoundary(const Grid<D>& grid, const Cloth<D>& cloth
       stencils_(grid, cloth, kernel, sides, marker_spacing),
       unit_(cloth.position.size(), Vec<D>::Ones()) {
   for (auto& o : ones_) o = grid.make_field();
-  touched_.reserve(static_cast<std::size_t>(stencils_.markers().count()));
 }
 
 template <int D>
@@ -157,27 +145,6 @@ void ImmersedBoundary<D>::spread(const std::vector<Vec<D>>& G, Components<D>& f)
                          f[c].data());
     }
   });
-}
-
-/// f = 0 at places of delta functions.
-template <int D>
-void ImmersedBoundary<D>::clear(const std::vector<Place>& places, Components<D>& f) const {
-  const int width = grid_.block().width();
-  with_points(stencils_.points(), [&](auto points) {
-    for (const Place& place : places)
-      for (int c = 0; c < D; ++c) zero<points(), D>({place, c, width}, f[c].data());
-  });
-}
-
-template <int D>
-void ImmersedBoundary<D>::replace(const std::vector<Vec<D>>& G, Components<D>& f) {
-  if (known_)
-    clear(touched_, f);
-  else
-    for (auto& component : f) component.fill(0);
-  spread(G, f);
-  touched_ = stencils_.places();
-  known_ = true;
 }
 
 /// U_i = sum over its markers of share times component(c)(memory position).
@@ -226,6 +193,7 @@ void ImmersedBoundary<D>::add_given(std::vector<Vec<D>>& U) const {
 template <int D>
 void ImmersedBoundary<D>::mobility(const Openings<D>& openings, double density,
                                    std::vector<Vec<D>>& mobility) {
+  for (auto& o : ones_) o.fill(0);
   spread(unit_, ones_);
   gather(
       [&](int c) {
@@ -233,7 +201,6 @@ void ImmersedBoundary<D>::mobility(const Openings<D>& openings, double density,
             [one = ones_[c].data(), open = openings.open[c]](long p) { return one[p] * open[p]; };
       },
       mobility);
-  clear(stencils_.places(), ones_);
   const double floor = mobility_floor / (density * grid_.mesh().cell_volume());
   for (auto& d : mobility) d = (d / density).cwiseMax(floor);
 }

@@ -23,11 +23,6 @@ class ImmersedBoundary {
 
   /// Adds the force density of nodal forces G [N] to f [N/m^3] on this rank's faces.
   void spread(const std::vector<Vec<D>>& G, Components<D>& f) const;
-  /// On return f is the force density of G and 0 elsewhere. Clears only what it left in f the last
-  /// time, so that nobody else may write to f unless forget() follows.
-  void replace(const std::vector<Vec<D>>& G, Components<D>& f);
-  /// The next replace() clears the whole field.
-  void forget() { known_ = false; }
   /// On return U holds the velocity [m/s] at every node, on all ranks.
   void interpolate(const Components<D>& u, std::vector<Vec<D>>& U) const;
   void interpolate(const ProvisionalVelocity<D>& u, std::vector<Vec<D>>& U) const;
@@ -36,19 +31,14 @@ class ImmersedBoundary {
   void mobility(const Openings<D>& openings, double density, std::vector<Vec<D>>& mobility);
 
  private:
-  using Place = typename Stencils<D>::Place;
-
   template <class Component>
   void gather(Component&& component, std::vector<Vec<D>>& U) const;
-  void clear(const std::vector<Place>& places, Components<D>& f) const;
   void add_given(std::vector<Vec<D>>& U) const;
 
   const Grid<D>& grid_;
   Stencils<D> stencils_;
   Components<D> ones_;
   std::vector<Vec<D>> unit_;
-  std::vector<Place> touched_;  ///< by the last replace()
-  bool known_ = false;          ///< whether all that is not 0 in its field is at these places
 };
 
 }  // namespace washtub

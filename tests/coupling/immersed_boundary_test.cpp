@@ -149,28 +149,6 @@ TEST_P(AnyWidth, IsTheSameOnAnyNumberOfRanks) {
                       1e-9);  // of 1e3 to 1e4
 }
 
-/// Near sides and across periodic ends too, from place to place and over what others left.
-TEST_P(AnyWidth, ReplacesTheForceOfThePlaceBefore) {
-  Tank<3> tank(dots(points_in(::tank<3>(), 150)), GetParam());
-  const auto G = random_forces<3>(150);
-  auto f = make_fields<3>(tank.grid);
-  for (auto& component : f) component.fill(7);
-  auto where = tank.cloth.position;
-  for (int move = 0; move < 3; ++move) {
-    std::rotate(where.begin(), where.begin() + 1, where.end());
-    where.back()[0] += 0.13;
-    tank.boundary.place(where);
-    if (move == 2) {
-      f[1].fill(3);
-      tank.boundary.forget();
-    }
-    tank.boundary.replace(G, f);
-    const auto fresh = tank.spread(G);
-    for (int d = 0; d < 3; ++d)
-      for (std::size_t p = 0; p < f[d].size(); ++p) ASSERT_EQ(f[d][p], fresh[d][p]) << move;
-  }
-}
-
 TEST(ImmersedBoundary, SpreadsTheWholeForce) {
   for (const Kernel kernel : kernels) {
     const Tank<3> tank(dots(inner_points<3>(100)), kernel);
