@@ -32,7 +32,8 @@ struct SideCase {
   Vec<3> velocity = Vec<3>::Zero();  ///< of a moving wall, tangential, or of the inflow [m/s]
 };
 
-enum class Mapping { sharp, smooth };
+enum class Mapping { sharp, smooth, gradual };
+std::string mapping_name(Mapping mapping);  ///< "sharp"
 
 struct DomainCase {
   Vec<3> lower = Vec<3>::Zero();  ///< lower corner of the box [m]

@@ -30,7 +30,7 @@ std::string grid_text(const Case& whole) {
   return fmt::format("{} cells of {} m in a box of {} m, h/r_o = {:.4g}, {} mapping of solids",
                      product(domain.cells, whole.dimension), product(spacing, whole.dimension),
                      product(domain.size, whole.dimension), spacing.x() / whole.scale.length,
-                     domain.mapping == Mapping::sharp ? "sharp" : "smooth");
+                     mapping_name(domain.mapping));
 }
 
 /// Angle between the extremes that a drive reaches in a period [rad]; 0 where it does not come

@@ -15,6 +15,12 @@ const std::vector<std::pair<std::string, SideKind>>& side_kinds() {
   return kinds;
 }
 
+const std::vector<std::pair<std::string, Mapping>>& mappings() {
+  static const std::vector<std::pair<std::string, Mapping>> kinds = {
+      {"sharp", Mapping::sharp}, {"smooth", Mapping::smooth}, {"gradual", Mapping::gradual}};
+  return kinds;
+}
+
 /// Keys of one side: its kind, and the velocity of a moving wall or of the water that enters.
 void add_side(Table<DomainCase>& table, size_t side) {
   const std::string name = side_names[side];
@@ -52,6 +58,12 @@ std::string side_name(SideKind kind) {
   return "";
 }
 
+std::string mapping_name(Mapping mapping) {
+  for (const auto& [name, other] : mappings())
+    if (other == mapping) return name;
+  return "";
+}
+
 Table<FluidCase> fluid_table() {
   Table<FluidCase> table("The water.");
   table.key("density", &FluidCase::density, quantity(measure::density, above(0)), "density, rho")
@@ -73,8 +85,7 @@ Table<DomainCase> domain_table() {
       .fallback("required without `[washer]`")
       .key("cells", &DomainCase::cells, counts(between(8, 8192)), "number of cells")
       .required()
-      .key("mapping", &DomainCase::mapping,
-           choice<Mapping>({{"sharp", Mapping::sharp}, {"smooth", Mapping::smooth}}),
+      .key("mapping", &DomainCase::mapping, choice<Mapping>(mappings()),
            "how solids act on the water: Heaviside function of Eq. (9)")
       .key("mapping_width", &DomainCase::mapping_width, number(above(0)),
            "half width of the smooth mapping in cells, gamma of Eq. (11)")

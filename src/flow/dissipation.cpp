@@ -1,5 +1,7 @@
 #include "flow/dissipation.hpp"
 
+#include <cmath>
+
 namespace washtub {
 namespace {
 
@@ -15,6 +17,8 @@ class Rate {
     for (int c = 0; c < D; ++c) {
       sum += of_cells(c);
       for (int d = c + 1; d < D; ++d) sum += of_edges(c, d);
+      for (const auto& face : *flow_.openings().held[c])
+        sum += face.drag * std::pow(flow_.velocity()[c][face.p] - face.wall, 2);
     }
     return grid_.mesh().cell_volume() * sum;
   }

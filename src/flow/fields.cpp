@@ -35,7 +35,6 @@ FlowFields<D>::FlowFields(const Grid<D>& grid_, double density_, double viscosit
   for (int d = 0; d < D; ++d) {
     u[d] = grid.make_field();
     f[d] = grid.make_field();
-    if (openings.smooth) target[d] = grid.make_field();
   }
   refresh_ghosts();
 }
@@ -45,6 +44,31 @@ std::array<double*, D> FlowFields<D>::velocities() {
   std::array<double*, D> values;
   for (int d = 0; d < D; ++d) values[d] = u[d].data();
   return values;
+}
+
+template <int D>
+void FlowFields<D>::to_passage(int j, int k) {
+  const int row = grid.block().row_index(j, k);
+  for (int c = 0; c < D; ++c) {
+    past[c].resize(openings.held[c]->size());
+    openings.held[c]->for_row(row, [&](const HeldFace<D>& face, int n) {
+      double& v = u[c][face.p];
+      past[c][n] = v - face.wall;
+      v = face.wall + face.passage * past[c][n];
+    });
+  }
+}
+
+template <int D>
+void FlowFields<D>::from_passage() {
+  for (int c = 0; c < D; ++c) {
+    int n = 0;
+    for (const auto& face : *openings.held[c]) {
+      const double before = face.wall + face.passage * past[c][n];
+      u[c][face.p] = face.wall + past[c][n] + (u[c][face.p] - before) / face.passage;
+      ++n;
+    }
+  }
 }
 
 template <int D>

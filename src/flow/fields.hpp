@@ -4,6 +4,7 @@
 #include "flow/passing_water.hpp"
 #include "flow/sides.hpp"
 #include "grid/grid.hpp"
+#include "grid/held_faces.hpp"
 
 namespace washtub {
 
@@ -11,7 +12,8 @@ namespace washtub {
 template <int D>
 struct Openings {
   std::array<const float*, D> open;  ///< open fraction of each face, ghosts included
-  bool smooth = false;               ///< open fractions between 0 and 1 occur
+  /// Faces whose velocity is held, in part, to what a wall asks for, along each axis.
+  std::array<const HeldFaces<D>*, D> held{};
 };
 
 /// The water that the parts of a Flow work on: what it is, where it may go, its fields.
@@ -28,6 +30,11 @@ struct FlowFields {
   /// Ghosts of the velocity from other ranks and from the sides.
   void refresh_ghosts();
   void state(Archive& archive);
+  /// On the held faces of a row: from the velocity of the water to the mean over the face, which
+  /// continuity knows; what has no passage goes with the wall.
+  void to_passage(int j, int k);
+  /// The other way, on all of them, with what the mean has changed by since.
+  void from_passage();
   /// The values of u.
   std::array<double*, D> velocities();
 
@@ -38,10 +45,10 @@ struct FlowFields {
   Sides<D> sides;
   PassingWater<D> passing;
   Openings<D> openings;
-  Components<D> u;       ///< [m/s]
-  Components<D> f;       ///< force density of the cloth on the water [N/m^3]
-  Components<D> target;  ///< solid velocity on partly open faces, with smooth openings only [m/s]
-  double speed = 0;      ///< largest velocity component at the end of the last step [m/s]
+  Components<D> u;                          ///< [m/s]
+  std::array<std::vector<double>, D> past;  ///< u less that of the wall, on held faces [m/s]
+  Components<D> f;                          ///< force density of the cloth on the water [N/m^3]
+  double speed = 0;  ///< largest velocity component at the end of the last step [m/s]
 };
 
 }  // namespace washtub

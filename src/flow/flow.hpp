@@ -28,8 +28,6 @@ class Flow {
   /// Force density of the cloth on the water [N/m^3], kept from step to step.
   Components<D>& force() { return water_.f; }
   const Components<D>& force() const { return water_.f; }
-  /// Solid velocity on partly open faces; present with smooth openings only [m/s].
-  Components<D>& target() { return water_.target; }
   const Field& pressure() const { return multigrid().pressure(); }  ///< [Pa]
   const Openings<D>& openings() const { return water_.openings; }
   const Multigrid<D>& multigrid() const { return projection_.multigrid(); }
@@ -46,8 +44,8 @@ class Flow {
 
   /// On return velocity() holds u* = u + dt (convection + viscosity), without pressure and force,
   /// and u* = u_o on closed faces. The step may change from call to call. Once no face has flipped
-  /// for two steps, unless a force acts, the viscous solve holds the last pressure gradient, so
-  /// that walls keep their velocity with it; on return it is taken out again.
+  /// for two steps the viscous solve holds the last force and pressure gradient, so that walls keep
+  /// their velocity with them; on return they are taken out again.
   void predict(double dt);
 
   /// Between predict() and project().

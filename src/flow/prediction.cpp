@@ -52,7 +52,7 @@ void Prediction<D>::openings_changed(int k0, int k1) {
 }
 
 /// Right-hand side of the viscous solve for component c of one row:
-///   u + now N(u^n) + before N(u^{n-1}) - push grad p + half of the viscous term,
+///   u + now N(u^n) + before N(u^{n-1}) + push (f - grad p) + half of the viscous term,
 /// N = -div(u u) with arithmetic means on the edges of each momentum cell.
 template <int D>
 template <int c, bool pushed>
@@ -76,6 +76,7 @@ void Prediction<D>::start_row(int j, int k, const Weights& weights) {
   const double now = weights.now, before = weights.before;
   const double slope = weights.push / water_.grid.mesh().h[c];
   const double* pressure = multigrid_.pressure().data() + p;
+  const double* force = water_.f[c].data() + p;
   const auto flux = [&](auto axis, int i) {
     constexpr int d = axis;
     const long t = s[d];
@@ -99,7 +100,8 @@ void Prediction<D>::start_row(int j, int k, const Weights& weights) {
       diffusion += nu[D - 1] * (v[i + s[D - 1]] - 2 * v[i] + v[i - s[D - 1]]);
     }
     double sum = v[i] + diffusion - now * n + before * convection[i];
-    if constexpr (pushed) sum -= slope * (pressure[i] - pressure[i - s[c]]);
+    if constexpr (pushed)
+      sum += weights.push * force[i] - slope * (pressure[i] - pressure[i - s[c]]);
     rhs[i] = sum;
     convection[i] = -n;
   }
@@ -118,7 +120,7 @@ void Prediction<D>::start_rows(int j, int k, const Weights& weights) {
     all(std::false_type());
 }
 
-/// u += push grad p on the open faces of a row.
+/// u += push (grad p - f) on the open faces of a row.
 template <int D>
 void Prediction<D>::take_push_back(int j, int k, double push) {
   const auto range = multigrid_.live(j, k);
@@ -127,11 +129,12 @@ void Prediction<D>::take_push_back(int j, int k, double push) {
   const double* p = multigrid_.pressure().data() + r;
   for (int d = 0; d < D; ++d) {
     double* __restrict__ u = water_.u[d].data() + r;
+    const double* f = water_.f[d].data() + r;
     const float* open = water_.openings.open[d] + r;
     const long s = water_.grid.block().stride[d];
     const double slope = push / water_.grid.mesh().h[d];
 #pragma omp simd
-    for (int i = begin; i < end; ++i) u[i] += slope * open[i] * (p[i] - p[i - s]);
+    for (int i = begin; i < end; ++i) u[i] += open[i] * (slope * (p[i] - p[i - s]) - push * f[i]);
   }
 }
 
@@ -156,7 +159,8 @@ double Prediction<D>::row_share(int j, int k) const {
 }
 
 /// One colour of a Gauss-Seidel sweep for (1 - dt nu/2 laplace) u = rhs on a row; closed faces keep
-/// u_o, partly open ones mix both as Eq. (9) does with equal diagonals.
+/// u_o, partly open ones mix momentum and what they are held to as Eq. (9) does with equal
+/// diagonals.
 template <int D>
 void Prediction<D>::relax_row(int c, int j, int k, int colour, double omega) {
   omega *= row_share(j, k);
@@ -181,16 +185,16 @@ void Prediction<D>::relax_row(int c, int j, int k, int colour, double omega) {
     if constexpr (D == 3) r += nu[D - 1] * (x[i + sz] - o + x[i - sz] - o);
     return r;
   };
-  if (water_.openings.smooth) {
-    const double* target = water_.target[c].data() + p;
 #pragma omp simd
-    for (int i = begin; i < end; ++i)
-      fresh[i] = x[i] + on[i] * (open[i] * weight * momentum(i) +
-                                 (open[i] > 0 ? 1 - open[i] : 0) * omega * (target[i] - x[i]));
-  } else {
-#pragma omp simd
-    for (int i = begin; i < end; ++i) fresh[i] = x[i] + on[i] * weight * open[i] * momentum(i);
-  }
+  for (int i = begin; i < end; ++i) fresh[i] = x[i] + on[i] * weight * open[i] * momentum(i);
+  if (const auto* held = water_.openings.held[c])
+    held->for_row(block.row_index(j, k), [&](const HeldFace<D>& face, int) {
+      const double u = x[face.place], to_wall = face.wall - u;
+      const double drag = face.drag * wall_diffusion_;
+      const double free = (momentum(face.place) + drag * to_wall) / (diagonal + drag);
+      fresh[face.place] =
+          u + on[face.place] * omega * ((1 - face.share) * free + face.share * to_wall);
+    });
 #pragma omp simd
   for (int i = begin; i < end; ++i) x[i] = fresh[i];
 }
@@ -207,6 +211,7 @@ void Prediction<D>::advance(double dt, double before, bool held) {
   if (odd_[0])
     colour_[0].front() = colour_[0][static_cast<std::size_t>(grid.block().width()) - 1] =
         clash_share(0);
+  wall_diffusion_ = water_.viscosity / water_.density * dt;
   const double ratio = before > 0 ? std::min(dt / before, most_growth) : 0;
   const double push = held ? dt / water_.density : 0;
   const Weights weights{dt * (1 + 0.5 * ratio), -0.5 * dt * ratio, push};
@@ -219,7 +224,10 @@ void Prediction<D>::advance(double dt, double before, bool held) {
         start_rows(j, k, weights);
         continue;
       }
-      if (s == sweeps_end) take_push_back(j, k, push);
+      if (s == sweeps_end) {
+        water_.to_passage(j, k);
+        if (held) take_push_back(j, k, push);
+      }
       for (int c = 0; c < D; ++c) {
         if (s < sweeps_end) relax_row(c, j, k, (s - 1) & 1, relax.omega);
         water_.sides.mirror_row(c, water_.u[c].data(), j, k);
@@ -228,7 +236,7 @@ void Prediction<D>::advance(double dt, double before, bool held) {
     }
   };
   wavefront(
-      grid.block(), grid.halo(), sweeps_end + (held ? 1 : 0), stage,
+      grid.block(), grid.halo(), sweeps_end + 1, stage,
       [&](int s) {
         if (s > 0) water_.exchange();
       },

@@ -25,31 +25,62 @@ template <int D>
 void Projection<D>::openings_changed(int k0, int k1, bool flipped) {
   multigrid_.update(k0, k1);
   multigrid_.clear_solid(multigrid_.pressure(), k0, k1);
-  if (flipped) warm_start_.flip();
+  if (flipped) return warm_start_.flip();
+  start_new_cells(multigrid_.pressure(), k0, k1);
+  start_new_cells(before_, k0, k1);
+}
+
+/// Cells of the planes [k0, k1) in which water now is, without a pressure yet, take the mean of
+/// those around, each by how open the face between is.
+template <int D>
+void Projection<D>::start_new_cells(Field& pressure, int k0, int k1) {
+  const auto& block = water_.grid.block();
+  const float* live = multigrid_.inverse_diagonal();
+  for (int k = k0; k < k1; ++k)
+    for (int j = 0; j < block.rows(); ++j) {
+      const auto range = multigrid_.live(j, k);
+      const long row = block.row(j, k);
+      for (long c = row + range.begin; c < row + range.end; ++c)
+        if (live[c] > 0 && pressure[c] == 0) pressure[c] = mean_around(pressure, c);
+    }
+}
+
+template <int D>
+double Projection<D>::mean_around(const Field& pressure, long c) const {
+  double sum = 0, weights = 0;
+  for (int d = 0; d < D; ++d) {
+    const long s = water_.grid.block().stride[d];
+    const double per_area = 1 / std::pow(water_.grid.mesh().h[d], 2);
+    for (const auto& [face, other] : {std::pair{c, c - s}, std::pair{c + s, c + s}}) {
+      if (pressure[other] == 0) continue;
+      const double weight = per_area * water_.openings.open[d][face];
+      sum += weight * pressure[other];
+      weights += weight;
+    }
+  }
+  return weights > 0 ? sum / weights : 0;
 }
 
 /// u += dt/rho f on the open faces of a row.
 template <int D>
-void Projection<D>::add_force_row(int j, int k, double dt, Extremes& largest) {
+void Projection<D>::add_force_row(int j, int k, double dt, double& largest) {
   const auto range = multigrid_.live(j, k);
   const int begin = range.begin, end = range.end;
   const long r = water_.grid.block().row(j, k);
   const double a = dt / water_.density;
-  double fastest = 0, strongest = 0;
+  double fastest = 0;
   for (int d = 0; d < D; ++d) {
     double* u = water_.u[d].data() + r;
     const double* f = water_.f[d].data() + r;
     const float* open = water_.openings.open[d] + r;
-#pragma omp simd reduction(max : fastest, strongest)
+#pragma omp simd reduction(max : fastest)
     for (int i = begin; i < end; ++i) {
-      strongest = std::max(strongest, std::abs(f[i]));
       u[i] += a * open[i] * f[i];
       fastest = std::max(fastest, std::abs(u[i]));
     }
     water_.grid.halo().wrap_row(u);
   }
-  largest.speed = std::max(largest.speed, fastest);
-  largest.force = std::max(largest.force, strongest);
+  largest = std::max(largest, fastest);
 }
 
 /// Source -div u / dt of the pressure in a row, and the first guess.
@@ -121,7 +152,7 @@ double Projection<D>::start(double dt, bool again) {
   const auto& grid = water_.grid;
   if (!again) warm_start_.next_step();
   const WarmStart::Guess guess = again ? WarmStart::Guess{1, 0} : warm_start_.guess();
-  Extremes largest{std::max(water_.speed, water_.passing.fastest_inflow()), 0};
+  double largest = std::max(water_.speed, water_.passing.fastest_inflow());
   wavefront(
       grid.block(), grid.halo(), 1,
       [&](int, int k, int j0, int j1) {
@@ -131,10 +162,7 @@ double Projection<D>::start(double dt, bool again) {
       [&](int k) {
         for (int j = 0; j < grid.block().rows(); ++j) start_row(j, k, dt, guess, again);
       });
-  Tally tally{{}, {largest.speed, largest.force}};
-  combine(grid.parallel(), tally);
-  warm_start_.set_forced(tally.max[1] > 0);
-  return tally.max[0];
+  return grid.parallel().max(largest);
 }
 
 template <int D>
@@ -143,6 +171,7 @@ void Projection<D>::correct(double dt, Report& report) {
   const auto& parallel = water_.grid.parallel();
   for (int k = 0; k < block.planes(); ++k)
     for (int j = 0; j < block.rows(); ++j) correct_row(j, k, dt, report);
+  water_.from_passage();
   water_.refresh_ghosts();
   Tally tally{{report.kinetic}, {report.speed, report.courant}};
   combine(parallel, tally);

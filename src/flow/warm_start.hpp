@@ -17,26 +17,19 @@ class WarmStart {
   void flip() { steps_ = -1; }
   /// To be called once a step, before its projection.
   void next_step() { ++steps_; }
-  /// Whether the force of this step is not zero everywhere.
-  void set_forced(bool forced) { forced_ = forced; }
 
   /// Of this step's pressure: extrapolated after three steps without a flip, kept after two.
   Guess guess() const {
     if (steps_ >= 3) return {2, -1};
     return {steps_ == 2 ? 1.0 : 0.0, 0};
   }
-  /// Whether the next step may count on the last pressure gradient: no flip for two steps, and no
-  /// force, which the gradient would have to follow.
-  bool gradient_holds() const { return steps_ >= 1 && !forced_; }
+  /// Whether the next step may count on the last pressure gradient: no flip for two steps.
+  bool gradient_holds() const { return steps_ >= 1; }
 
-  void state(Archive& archive) {
-    archive.value("steps", steps_);
-    archive.value("forced", forced_);
-  }
+  void state(Archive& archive) { archive.value("steps", steps_); }
 
  private:
   int steps_ = -1;  ///< since a flip
-  bool forced_ = false;
 };
 
 }  // namespace washtub

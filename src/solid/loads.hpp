@@ -49,7 +49,7 @@ struct SurfaceLoads {
 /// Loads on one solid from the momentum that passes between open and closed faces: viscous stress
 /// mu (grad u + grad u^T) and convective flux rho u u on the edges where the open fraction leaves
 /// 1, and the pressure of the cells on both sides of each face that is not fully open (zero inside
-/// solids). What a solid receives the water loses, see also DomainMapping::swept; the transposed
+/// solids). What a solid receives the water loses, see also SurfaceWater; the transposed
 /// gradient does not appear in the water's own equation, where its divergence vanishes, but a
 /// turning surface feels it. Sum over this rank only.
 template <int D>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/error.hpp"
 
@@ -13,8 +12,7 @@ constexpr double rebase_after = 32;  // [rad] of travel, so that single precisio
 
 constexpr double deepest_push = 4;  // cells that the cloth's force reaches into a solid
 
-constexpr std::uint8_t nobody = 255;    // owner of the faces on the sides of the box
-constexpr double almost_closed = 1e-3;  // open fraction too small for a pressure gradient to act on
+constexpr std::uint8_t nobody = 255;  // owner of the faces on the sides of the box
 
 /// Cells of the block whose faces lie within `reach` of the axis and between two heights.
 template <int D>
@@ -47,16 +45,30 @@ CellBox<D> sweep(const Grid<D>& grid, const Solid& solid, double margin) {
   return cells_within(grid, lower, upper);
 }
 
+/// How far from a surface a face in the water can be and still be closed in part.
+template <int D>
+double reach_outside(const Heaviside& heaviside, const WallLayer<D>& layer, const Mesh<D>& mesh) {
+  switch (heaviside.kind) {
+    case Heaviside::Kind::smooth:
+      return heaviside.gamma;
+    case Heaviside::Kind::gradual:
+      return layer.reach();
+    default:
+      return heaviside.shift * mesh.h.sum();
+  }
+}
+
 }  // namespace
 
 template <int D>
-DomainMapping<D>::DomainMapping(const Grid<D>& grid, std::vector<Solid> solids, double gamma,
-                                double shift)
+DomainMapping<D>::DomainMapping(const Grid<D>& grid, std::vector<Solid> solids,
+                                const Heaviside& heaviside)
     : grid_(grid),
       solids_(std::move(solids)),
-      gamma_(gamma),
-      shift_(shift),
-      reach_outside_(gamma > 0 ? gamma : shift * grid.mesh().h.sum()) {
+      heaviside_(heaviside),
+      layer_(grid),
+      reach_outside_(washtub::reach_outside(heaviside, layer_, grid.mesh())),
+      reach_inside_(heaviside.gamma) {
   if (solids_.size() >= nobody) throw InputError("too many solids: at most 254");
   const auto n = static_cast<std::size_t>(grid.block().size);
   for (int d = 0; d < D; ++d) {
@@ -64,7 +76,10 @@ DomainMapping<D>::DomainMapping(const Grid<D>& grid, std::vector<Solid> solids, 
     expiry_[d] = Storage<float>(n);
     owner_[d] = Storage<std::uint8_t>(n);
   }
-  for (int d = 0; d < D; ++d) surface_.emplace_back(grid, d);
+  for (int d = 0; d < D; ++d) {
+    surface_.emplace_back(grid, d);
+    held_.emplace_back(grid.block());
+  }
   CellBox<D> whole;
   whole.upper = grid.block().count;
   moving_planes_ = {grid.block().planes(), 0};
@@ -77,10 +92,11 @@ DomainMapping<D>::DomainMapping(const Grid<D>& grid, std::vector<Solid> solids, 
   if (moving_planes_[0] >= moving_planes_[1]) moving_planes_ = {0, 0};
   pose();
   evaluate(whole, true);
-  swept_.clear();
+  changed_.clear();
   close_sides();
   exchange();
   find_surface();
+  for (auto& held : held_) held.update();
 }
 
 /// Whether the surface or what acts there can come to a face that a solid closes: cloth pushes as
@@ -120,27 +136,49 @@ std::array<const float*, D> DomainMapping<D>::open() const {
   return o;
 }
 
-/// 1 - H(psi), Eq. (11); the sharp function counts a face centre on the surface as fluid, the
-/// smooth one closes faces that are open by less than a thousandth.
 template <int D>
-float DomainMapping<D>::open_fraction(double psi) const {
-  if (psi > gamma_) return 0;
-  if (psi <= -gamma_) return 1;
-  const double s = psi / gamma_;
-  const double pi = std::numbers::pi;
-  const double open = 0.5 - 0.5 * (s + std::sin(pi * s) / pi);
-  return open < almost_closed ? 0.0F : static_cast<float>(open);
+std::array<const HeldFaces<D>*, D> DomainMapping<D>::held() const {
+  std::array<const HeldFaces<D>*, D> held;
+  for (int d = 0; d < D; ++d) held[d] = &held_[d];
+  return held;
+}
+
+template <int D>
+double DomainMapping<D>::content(float open) const {
+  return heaviside_.kind == Heaviside::Kind::smooth ? open : 1;
+}
+
+/// Of the face of a cell along axis d, with psi at its centre; also how it is held.
+template <int D>
+float DomainMapping<D>::open_fraction(const Vec<3>& x, double psi, int d, const Index<D>& cell,
+                                      int owner) {
+  if (heaviside_.kind == Heaviside::Kind::sharp) return heaviside_.open_fraction(psi);
+  HeldFace<D> face{};
+  face.p = grid_.block().at(cell);
+  face.row = grid_.block().row_index(D == 3 ? cell[1] : 0, cell[D - 1]);
+  face.place = cell[0];
+  if (open_[d][face.p] < 1) held_[d].look(face.p);
+  float open = 0;
+  if (heaviside_.kind == Heaviside::Kind::smooth) {
+    open = heaviside_.open_fraction(psi);
+    face.share = open > 0 ? 1 - open : 0;
+    face.wall = poses_[owner].velocity(x)[d];
+  } else if (psi < 0) {
+    open = layer_.close(poses_[owner], x, psi, d, face);
+  }
+  if (open > 0 && open < 1) held_[d].hold(face);
+  return open;
 }
 
 /// What the sharp mapping adds to psi, where it can decide.
 template <int D>
 double DomainMapping<D>::outset(const SolidPose& solid, const Vec<3>& x, double psi) const {
-  if (shift_ == 0 || gamma_ > 0 || psi > 0 || psi < -reach_outside_) return 0;
+  if (heaviside_.shift == 0 || psi > 0 || psi < -reach_outside_) return 0;
   const auto& h = grid_.mesh().h;
   const Vec<3> n = solid.normal(x, 0.5 * h.minCoeff());
   double width = 0;
   for (int d = 0; d < D; ++d) width += std::abs(n[d]) * h[d];
-  return shift_ * width;
+  return heaviside_.shift * width;
 }
 
 /// Looks again at the faces of a row whose guarantee has run out: psi of a turning solid changes at
@@ -169,12 +207,13 @@ void DomainMapping<D>::evaluate_row(int d, int j, int k, int i0, int i1, bool al
       if (seen > largest) largest = seen, owner[i] = static_cast<std::uint8_t>(s);
       if (!solids_[s].drive.moving()) continue;
       const double lever = std::hypot(x[0] - solids_[s].centre[0], x[1] - solids_[s].centre[1]);
-      turn = std::min(turn, (std::abs(value) - reach_outside_) / (lever + 1e-30));
+      const double margin = value > 0 ? value - reach_inside_ : -value - reach_outside_;
+      turn = std::min(turn, margin / (lever + 1e-30));
     }
     expiry[i] = static_cast<float>(travel_ + std::clamp(0.999 * turn, 0.0, 1e6));
-    const float fresh = open_fraction(largest);
+    const float fresh = open_fraction(x, largest, d, cell, owner[i]);
     if (fresh == open[i]) continue;
-    swept_.push_back({d, owner[i], p + i, grid_.position(cell, d), open[i] - fresh});
+    changed_.push_back({d, owner[i], p + i, grid_.position(cell, d), open[i], fresh});
     if (open[i] >= 1) surface_[d].add(cell);
     open[i] = fresh;
     change_.any = true;
@@ -235,7 +274,7 @@ void DomainMapping<D>::pose() {
 template <int D>
 typename DomainMapping<D>::Change DomainMapping<D>::update(double t) {
   change_ = {};
-  swept_.clear();
+  changed_.clear();
   for (const auto& solid : solids_) {
     const double turned = std::abs(solid.drive.angle(t) - solid.drive.angle(time_));
     travel_ += turned;
@@ -246,9 +285,10 @@ typename DomainMapping<D>::Change DomainMapping<D>::update(double t) {
   if (all) travel_ = 0;
   for (std::size_t s = 0; s < solids_.size(); ++s)
     if (solids_[s].drive.moving()) evaluate(reach_[s], all);
+  for (auto& held : held_) held.update();
   change_.any = grid_.parallel().any(change_.any);
   if (change_.any) {
-    change_.flipped = gamma_ == 0;
+    change_.flipped = heaviside_.kind == Heaviside::Kind::sharp;
     exchange();
     for (int d = 0; d < D; ++d) surface_[d].update(open_[d].data());
   }
@@ -256,23 +296,7 @@ typename DomainMapping<D>::Change DomainMapping<D>::update(double t) {
 }
 
 template <int D>
-std::pair<Vec<D>, double> DomainMapping<D>::swept(std::size_t solid, const std::array<Field, D>& u,
-                                                  double density) const {
-  Vec<D> impulse = Vec<D>::Zero();
-  double moment = 0;
-  const Vec<3>& centre = solids_[solid].centre;
-  for (const auto& face : swept_) {
-    if (face.solid != solid) continue;
-    const double m = density * grid_.mesh().cell_volume() * face.closed * u[face.axis][face.p];
-    impulse[face.axis] += m;
-    if (face.axis == 0) moment -= (face.x[1] - centre[1]) * m;
-    if (face.axis == 1) moment += (face.x[0] - centre[0]) * m;
-  }
-  return {impulse, moment};
-}
-
-template <int D>
-void DomainMapping<D>::set_solid_velocity(std::array<Field, D>& u, float open_at_most) const {
+void DomainMapping<D>::impose(std::array<Field, D>& u) const {
   const auto& block = grid_.block();
   for (std::size_t s = 0; s < solids_.size(); ++s) {
     const auto& solid = solids_[s];
@@ -298,7 +322,7 @@ void DomainMapping<D>::set_solid_velocity(std::array<Field, D>& u, float open_at
           double* v = u[d].data() + p;
 #pragma omp simd
           for (int i = box.lower[0]; i < box.upper[0]; ++i)
-            v[i] = (open[i] <= open_at_most && owner[i] == s) ? start + slope * i : v[i];
+            v[i] = (open[i] <= 0 && owner[i] == s) ? start + slope * i : v[i];
         }
       }
     }
@@ -323,6 +347,19 @@ void DomainMapping<D>::state(Archive& archive) {
   if (!archive.reading()) return;
   pose();
   find_surface();
+  hold();
+}
+
+/// All faces that are held.
+template <int D>
+void DomainMapping<D>::hold() {
+  if (heaviside_.kind == Heaviside::Kind::sharp) return;
+  for (auto& held : held_) held.clear();
+  CellBox<D> whole;
+  whole.upper = grid_.block().count;
+  evaluate(whole, true);
+  for (auto& held : held_) held.update();
+  changed_.clear();
 }
 
 template class DomainMapping<2>;

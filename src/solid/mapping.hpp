@@ -3,8 +3,11 @@
 #include <vector>
 
 #include "grid/grid.hpp"
+#include "grid/held_faces.hpp"
+#include "solid/heaviside.hpp"
 #include "solid/solid.hpp"
 #include "solid/surface_faces.hpp"
+#include "solid/wall_layer.hpp"
 
 namespace washtub {
 
@@ -30,10 +33,7 @@ struct CellBox {
 template <int D>
 class DomainMapping {
  public:
-  /// `gamma`: half width of the smooth Heaviside function, Eq. (11) [m]; 0 takes the sharp one.
-  /// `shift`: how far outside the surface the sharp one still closes a face, over sum_d |n_d| h_d,
-  /// the width of a cell along the normal.
-  DomainMapping(const Grid<D>& grid, std::vector<Solid> solids, double gamma, double shift = 0);
+  DomainMapping(const Grid<D>& grid, std::vector<Solid> solids, const Heaviside& heaviside = {});
 
   struct Change {
     bool any = false;      ///< some open fraction differs from before (on any rank)
@@ -46,13 +46,15 @@ class DomainMapping {
   void state(Archive& archive);
 
   double time() const { return time_; }
-  bool smooth() const { return gamma_ > 0; }
   const std::vector<Solid>& solids() const { return solids_; }
   /// Open fractions of the lower faces along each axis, ghosts included.
   std::array<const float*, D> open() const;
   /// Solid with the largest psi at the lower faces along axis d, ghosts included; meaningful where
   /// not fully open.
   const std::uint8_t* owner(int d) const { return owner_[d].data(); }
+  /// Along each axis, the faces whose velocity is held to one that the solids and the water farther
+  /// out ask for.
+  std::array<const HeldFaces<D>*, D> held() const;
   /// Faces of this rank along axis d that are not fully open, those deep inside solids that never
   /// move aside.
   const SurfaceFaces<D>& surface(int d) const { return surface_[d]; }
@@ -60,52 +62,53 @@ class DomainMapping {
   std::array<int, 2> moving_planes() const { return moving_planes_; }
 
   /// Sets u = u_o on every closed face of a moving solid.
-  void impose(std::array<Field, D>& u) const { set_solid_velocity(u, 0.0F); }
-  /// Sets u = u_o on every face of a moving solid that is not fully open.
-  void impose_target(std::array<Field, D>& target) const { set_solid_velocity(target, 0.9999999F); }
+  void impose(std::array<Field, D>& u) const;
   /// Sets u = 0 on every face that a solid closes.
   void still(std::array<Field, D>& u) const;
-  /// Momentum that the faces opened and closed by the last update() hand to a solid when the
-  /// velocity is still the one before impose(): force x time and moment x time about its axis.
-  std::pair<Vec<D>, double> swept(std::size_t solid, const std::array<Field, D>& u,
-                                  double density) const;
+  /// Faces whose opening the last update() changed.
+  struct ChangedFace {
+    int axis;
+    std::uint8_t solid;
+    long p;               ///< memory position
+    Vec<D> x;             ///< its centre [m]
+    float before, after;  ///< open fractions
+  };
+  const std::vector<ChangedFace>& changed() const { return changed_; }
+  /// Share of the momentum past the solid, of a face by its open fraction, that is the water's.
+  double content(float open) const;
   /// The solids as they stand now.
   const std::vector<SolidPose>& poses() const { return poses_; }
 
  private:
   void evaluate(const CellBox<D>& box, bool all);
   void evaluate_row(int d, int j, int k, int i0, int i1, bool all);
+  float open_fraction(const Vec<3>& x, double psi, int d, const Index<D>& cell, int owner);
   void pose();
   void find_surface();
+  void hold();
   bool counts(const Vec<D>& x, int owner, const Index<D>& cell) const;
   void exchange();
   void close_sides();
-  void set_solid_velocity(std::array<Field, D>& u, float open_at_most) const;
   double outset(const SolidPose& solid, const Vec<3>& x, double psi) const;
-  float open_fraction(double psi) const;
 
   const Grid<D>& grid_;
   std::vector<Solid> solids_;
   std::vector<SolidPose> poses_;
-  double gamma_, shift_;
-  double reach_outside_;  ///< of the solids on the faces [m]: gamma, or the largest shift
+  Heaviside heaviside_;
+  WallLayer<D> layer_;
+  double reach_outside_;  ///< of the solids on faces in the water [m]
+  double reach_inside_;   ///< how deep in solids faces can be open [m]
   double time_ = 0, travel_ = 0;
   Change change_;
   std::array<Storage<float>, D> open_, expiry_;
   std::array<Storage<std::uint8_t>, D> owner_;
   std::vector<SurfaceFaces<D>> surface_;
+  std::vector<HeldFaces<D>> held_;
   std::vector<CellBox<D>> reach_;  ///< cells whose faces a solid that moves can close; whole block
                                    ///< for others
   std::array<int, 2> moving_planes_{};
 
-  struct Swept {
-    int axis;
-    std::uint8_t solid;
-    long p;        ///< memory position of the face
-    Vec<D> x;      ///< its centre [m]
-    float closed;  ///< decrease of its open fraction
-  };
-  std::vector<Swept> swept_;
+  std::vector<ChangedFace> changed_;
 };
 
 /// Point of D-dimensional space as the solids see it (z = 0 in 2-D).

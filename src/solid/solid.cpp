@@ -30,6 +30,13 @@ Vec<3> SolidPose::normal(const Vec<3>& x, double step) const {
   return size > 1e-6 * step ? Vec<3>(gradient / size) : Vec<3>::Zero();
 }
 
+Vec<3> SolidPose::normal(const Vec<3>& x, double psi, double step) const {
+  Vec<3> gradient;
+  for (int k = 0; k < 3; ++k) gradient[k] = this->psi(x + step * Vec<3>::Unit(k)) - psi;
+  const double size = gradient.norm();
+  return size > 1e-6 * step ? Vec<3>(gradient / size) : Vec<3>::Zero();
+}
+
 SolidPose Solid::at(double t) const { return {shape, centre, drive.angle(t), drive.speed(t)}; }
 
 double Solid::psi(const Vec<3>& x, double t) const { return at(t).psi(x); }

@@ -17,6 +17,8 @@ class SolidPose {
   /// Unit vector along grad psi (into the solid), by central differences over `step` [m];
   /// zero where the differences vanish, as at the centre of a sphere.
   Vec<3> normal(const Vec<3>& x, double step) const;
+  /// The same by one-sided differences from psi at x, at half the price.
+  Vec<3> normal(const Vec<3>& x, double psi, double step) const;
 
  private:
   const Shape* shape_;

@@ -54,9 +54,16 @@ SidePairs<D> build_sides(const Case& whole) {
   return sides;
 }
 
-double smooth_width(const Case& whole) {
-  if (whole.domain.mapping == Mapping::sharp) return 0;
-  return whole.domain.mapping_width * whole.domain.size[0] / whole.domain.cells[0];
+Heaviside build_heaviside(const Case& whole) {
+  const auto& domain = whole.domain;
+  switch (domain.mapping) {
+    case Mapping::smooth:
+      return Heaviside::smooth(domain.mapping_width * domain.size[0] / domain.cells[0]);
+    case Mapping::gradual:
+      return Heaviside::gradual();
+    default:
+      return Heaviside::sharp(domain.mapping_shift);
+  }
 }
 
 namespace {

@@ -4,6 +4,7 @@
 #include "case/solids.hpp"
 #include "cloth/cloth.hpp"
 #include "flow/flow.hpp"
+#include "solid/heaviside.hpp"
 
 namespace washtub {
 
@@ -12,8 +13,8 @@ template <int D>
 Mesh<D> build_mesh(const Case& whole);
 template <int D>
 SidePairs<D> build_sides(const Case& whole);
-/// gamma of Eq. (11) [m]; 0 for the sharp mapping.
-double smooth_width(const Case& whole);
+/// How solids close faces.
+Heaviside build_heaviside(const Case& whole);
 /// All cloth at its start.
 /// @throws InputError where it cannot be placed
 template <int D>

@@ -30,9 +30,10 @@ template <int D>
 Simulation<D>::Simulation(const Case& whole, const Parallel& parallel, Archive* developed)
     : case_(whole),
       grid_(build_mesh<D>(whole), parallel, granularity(build_mesh<D>(whole))),
-      mapping_(grid_, build_solids(whole), smooth_width(whole), whole.domain.mapping_shift),
+      mapping_(grid_, build_solids(whole), build_heaviside(whole)),
       flow_(grid_, whole.fluid.density, whole.fluid.viscosity, build_sides<D>(whole),
-            {mapping_.open(), mapping_.smooth()}),
+            {mapping_.open(), mapping_.held()}),
+      surface_water_(grid_, mapping_, whole.fluid.density),
       cloth_(build_cloth<D>(whole)),
       impulses_(whole.solids.size()),
       moments_(whole.solids.size()) {
@@ -171,16 +172,19 @@ int Simulation<D>::most_cycles() const {
 
 template <int D>
 void Simulation<D>::move_solids(double dt) {
+  const auto& solids = mapping_.solids();
+  std::fill(moments_.begin(), moments_.end(), 0);
+  for (std::size_t s = 0; s < solids.size(); ++s)
+    if (solids[s].drive.moving())
+      moments_[solids[s].body] += surface_water_.momentum(s, flow_.velocity()).torque;
   const auto change = mapping_.update(last_.time + dt);
   last_.flips = change.flipped;
   const auto [k0, k1] = mapping_.moving_planes();
   if (change.any) flow_.openings_changed(k0, k1, change.flipped);
-  std::fill(moments_.begin(), moments_.end(), 0);
-  for (std::size_t s = 0; s < mapping_.solids().size(); ++s)
-    if (const Solid& solid = mapping_.solids()[s]; solid.drive.moving())
-      moments_[solid.body] += mapping_.swept(s, flow_.velocity(), flow_.density()).second;
+  for (std::size_t s = 0; s < solids.size(); ++s)
+    if (solids[s].drive.moving())
+      moments_[solids[s].body] += surface_water_.joined(s, flow_.velocity()).torque;
   mapping_.impose(flow_.velocity());
-  if (mapping_.smooth()) mapping_.impose_target(flow_.target());
 }
 
 /// The paper's equations in the order in which they are solved.
@@ -245,6 +249,7 @@ void Simulation<D>::record_impulses(double dt) {
     if (!solids[s].drive.moving()) continue;
     double& moment = moments_[solids[s].body];
     moment += dt * surface_loads<D>(grid_, mapping_, s, water()).total().torque;
+    moment -= surface_water_.momentum(s, flow_.velocity()).torque;
     if (coupling_ && grid_.parallel().root()) moment += dt * coupling_->contact_moment(s);
   }
   grid_.parallel().sum(std::span<double>(moments_));

@@ -5,7 +5,7 @@
 
 #include "case/case.hpp"
 #include "coupling/coupling.hpp"
-#include "solid/loads.hpp"
+#include "solid/surface_water.hpp"
 
 namespace washtub {
 
@@ -97,6 +97,7 @@ class Simulation {
   Grid<D> grid_;
   DomainMapping<D> mapping_;
   Flow<D> flow_;
+  SurfaceWater<D> surface_water_;
   Cloth<D> cloth_;
   std::optional<Coupling<D>> coupling_;
   Step last_;

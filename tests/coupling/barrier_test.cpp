@@ -23,7 +23,7 @@ struct Room {
   static Solid disc() {
     return {"disc", cylinder(0.2, -inf, inf), {0.5, 0.5, 0}, constant_speed(speed)};
   }
-  Room() : grid(mesh(), Parallel(), {1, 1}), mapping(grid, {disc()}, 0) { mapping.update(0); }
+  Room() : grid(mesh(), Parallel(), {1, 1}), mapping(grid, {disc()}) { mapping.update(0); }
 };
 
 double psi(const Vec<2>& x) { return 0.2 - (x - Vec<2>(0.5, 0.5)).norm(); }
@@ -84,7 +84,7 @@ TEST(Barrier, ReportsTheDepthBeforeNodesWereHeld) {
 TEST(Barrier, ReportsWhatIsLeftInside) {
   Grid<2> grid(Room::mesh(), Parallel(), {1, 1});
   const Solid lid{"lid", box({-inf, 0.02, -inf}, {inf, 0.2, inf}), Vec<3>::Zero(), at_rest()};
-  DomainMapping<2> mapping(grid, {lid}, 0);
+  DomainMapping<2> mapping(grid, {lid});
   std::vector<Vec<2>> X = {{0.5, 0.5}};
   Barrier<2> barrier(grid, mapping, dots(X));
   X[0][1] = 0.015;
@@ -124,7 +124,7 @@ TEST(Barrier, MovesNodesOutOfTheWayOfAFin) {
   Grid<2> grid(Room::mesh(), Parallel(), {1, 1});
   const Solid fin{
       "fin", capsule({0, 0, 0}, {0.4, 0, 0}, 0.04), {0.5, 0.5, 0}, constant_speed(speed)};
-  DomainMapping<2> mapping(grid, {fin}, 0);
+  DomainMapping<2> mapping(grid, {fin});
   mapping.update(0);
   std::vector<Vec<2>> X = {{0.5, 0.75}};
   Barrier<2> barrier(grid, mapping, dots(X));

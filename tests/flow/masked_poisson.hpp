@@ -17,7 +17,7 @@ struct MaskedPoisson {
   MaskedPoisson(const Mesh<D>& mesh, std::vector<Solid> solids, double density_ = 1,
                 const Parallel& parallel = Parallel())
       : grid(mesh, parallel, granularity(mesh)),
-        mapping(grid, std::move(solids), 0),
+        mapping(grid, std::move(solids)),
         mg(grid, density_, mapping.open()),
         density(density_) {}
 

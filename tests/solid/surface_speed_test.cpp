@@ -9,10 +9,10 @@ namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 
-double fastest(const std::vector<Solid>& solids, double gamma = 0) {
+double fastest(const std::vector<Solid>& solids, const Heaviside& heaviside = {}) {
   const Mesh<2> mesh{{-1.25, -1.25}, {2.5 / 64, 2.5 / 64}, {64, 64}, {}};
   const Grid<2> grid(mesh, Parallel(MPI_COMM_SELF), {1, 1});
-  return fastest_surface(grid, DomainMapping<2>(grid, solids, gamma));
+  return fastest_surface(grid, DomainMapping<2>(grid, solids, heaviside));
 }
 
 const Shape ring = complement(cylinder(1, -inf, inf)), disc = cylinder(0.4, -inf, inf);
@@ -23,7 +23,8 @@ TEST(SurfaceSpeed, IsThatOfTheFastestSurface) {
   const Solid still{"ring", ring, Vec<3>::Zero(), at_rest()};
   EXPECT_NEAR(fastest({still, {"disc", disc, Vec<3>::Zero(), constant_speed(-3)}}), 1.2, 3 * cells);
   EXPECT_NEAR(fastest({{"ring", ring, Vec<3>::Zero(), constant_speed(2)}}), 2, 2 * cells);
-  EXPECT_NEAR(fastest({{"disc", disc, {0.3, 0, 0}, sinusoid(3, 1)}}, 2.5 / 32), 1.2, 3 * cells);
+  EXPECT_NEAR(fastest({{"disc", disc, {0.3, 0, 0}, sinusoid(3, 1)}}, Heaviside::smooth(2.5 / 32)),
+              1.2, 3 * cells);
 }
 
 /// A fin that turns is fastest at its tip.

@@ -4,14 +4,13 @@
 #include <vector>
 
 #include "flow/flow.hpp"
-#include "solid/loads.hpp"
-#include "solid/mapping.hpp"
+#include "solid/surface_water.hpp"
 
 namespace washtub::testing {
 
 template <int D>
 Openings<D> openings(const DomainMapping<D>& mapping) {
-  return {mapping.open(), mapping.smooth()};
+  return {mapping.open(), mapping.held()};
 }
 
 /// A box from `lower` with n cells of width h along every axis.
@@ -29,7 +28,7 @@ struct WaterSetup {
   Mesh<D> mesh;
   std::vector<Solid> solids{};
   double density = 1, viscosity = 1;
-  double gamma = 0;  ///< half width of the smooth mapping [m]
+  Heaviside heaviside{};
   SidePairs<D> sides{};
 };
 
@@ -38,12 +37,14 @@ template <int D>
 struct WaterBox {
   Grid<D> grid;
   DomainMapping<D> mapping;
+  SurfaceWater<D> surface_water;
   Flow<D> flow;
   double t = 0;
 
   explicit WaterBox(const WaterSetup<D>& s, const Parallel& parallel = Parallel())
       : grid(s.mesh, parallel, granularity(s.mesh)),
-        mapping(grid, s.solids, s.gamma),
+        mapping(grid, s.solids, s.heaviside),
+        surface_water(grid, mapping, s.density),
         flow(grid, s.density, s.viscosity, s.sides, openings(mapping)) {}
 
   /// Solids to time t + dt, with their velocity on the faces they close.
@@ -54,10 +55,7 @@ struct WaterBox {
     if (change.any) flow.openings_changed(k0, k1, change.flipped);
     impose();
   }
-  void impose() {
-    mapping.impose(flow.velocity());
-    if (mapping.smooth()) mapping.impose_target(flow.target());
-  }
+  void impose() { mapping.impose(flow.velocity()); }
   typename Flow<D>::Report step(double dt, double tolerance = 1e-4, int max_cycles = 60) {
     move_solids(dt);
     flow.predict(dt);

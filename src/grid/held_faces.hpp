@@ -1,0 +1,49 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "grid/grid.hpp"
+
+namespace washtub {
+
+/// A face whose velocity is held to that of a wall.
+template <int D>
+struct HeldFace {
+  long p;              ///< memory position
+  int row;             ///< of the block, Block::row_index
+  int place;           ///< in its row
+  double wall;         ///< velocity of the wall there [m/s]
+  double share = 0;    ///< from 0 to 1, held at once in each step
+  double drag = 0;     ///< diffusion towards the wall [1/m^2]
+  double passage = 1;  ///< share of the face through which water goes past the wall, > 0
+};
+
+/// The held faces normal to one axis, in the order of memory.
+template <int D>
+class HeldFaces {
+ public:
+  explicit HeldFaces(const Block<D>& block) : first_(block.rows() * block.planes() + 1, 0) {}
+
+  /// A face that is looked at again; it takes part from the next update() on if it is held still.
+  void look(long p) { looked_.push_back(p); }
+  void hold(const HeldFace<D>& face) { fresh_.push_back(face); }
+  void clear() { faces_.clear(); }
+  /// Takes up what was looked at and held since the last time.
+  void update();
+
+  /// Calls visit(face, its place in the list) for those of a row.
+  template <class Visit>
+  void for_row(int row, Visit&& visit) const {
+    for (int n = first_[row]; n < first_[row + 1]; ++n) visit(faces_[n], n);
+  }
+  std::size_t size() const { return faces_.size(); }
+  auto begin() const { return faces_.begin(); }
+  auto end() const { return faces_.end(); }
+
+ private:
+  std::vector<HeldFace<D>> faces_, fresh_, merged_;
+  std::vector<long> looked_;
+  std::vector<int> first_;  ///< of each row, and the end of the last
+};
+
+}  // namespace washtub

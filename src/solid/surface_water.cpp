@@ -1,0 +1,109 @@
+#include "solid/surface_water.hpp"
+
+namespace washtub {
+namespace {
+
+constexpr int samples = 4;  // along each edge of a cell that a surface cuts
+
+}  // namespace
+
+template <int D>
+SurfaceWater<D>::SurfaceWater(const Grid<D>& grid, const DomainMapping<D>& mapping, double density)
+    : grid_(grid), mapping_(mapping), cell_mass_(density * grid.mesh().cell_volume()) {
+  for (std::size_t s = 0; s < mapping.solids().size(); ++s)
+    displaced_.push_back(mapping.solids()[s].drive.moving() ? integrate(s) : Displaced());
+}
+
+/// Share of the cell around x that a solid takes up.
+template <int D>
+double SurfaceWater<D>::share_inside(std::size_t solid, const Vec<D>& x) const {
+  const auto& pose = mapping_.poses()[solid];
+  const auto& h = grid_.mesh().h;
+  const double psi = pose.psi(in_space<D>(x));
+  if (std::abs(psi) > 0.5 * h.norm()) return psi > 0 ? 1 : 0;
+  int inside = 0, all = 0;
+  Index<D> n{};
+  const auto next = [&] {
+    for (int d = 0; d < D; ++d) {
+      if (++n[d] < samples) return true;
+      n[d] = 0;
+    }
+    return false;
+  };
+  do {
+    Vec<D> at = x;
+    for (int d = 0; d < D; ++d) at[d] += ((n[d] + 0.5) / samples - 0.5) * h[d];
+    inside += pose.psi(in_space<D>(at)) > 0;
+    ++all;
+  } while (next());
+  return static_cast<double>(inside) / all;
+}
+
+/// Over the cells around the faces along x and y, as they carry momentum.
+template <int D>
+typename SurfaceWater<D>::Displaced SurfaceWater<D>::integrate(std::size_t solid) const {
+  const auto& block = grid_.block();
+  const Vec<3>& centre = mapping_.solids()[solid].centre;
+  Displaced sum;
+  for (int c = 0; c < 2; ++c)
+    for (int k = 0; k < block.planes(); ++k)
+      for (int j = 0; j < block.rows(); ++j)
+        for (int i = 0; i < block.width(); ++i) {
+          Index<D> cell{};
+          cell[0] = i;
+          if constexpr (D == 3) cell[1] = j;
+          cell[D - 1] = k;
+          if (mapping_.owner(c)[block.at(cell)] != solid) continue;
+          const Vec<D> x = grid_.position(cell, c);
+          const double arm = x[1 - c] - centre[1 - c];
+          const double mass = cell_mass_ * share_inside(solid, x);
+          sum.first[1 - c] += mass * arm;
+          sum.second += mass * arm * arm;
+        }
+  return sum;
+}
+
+/// Momentum along `axis` at x. The moment of P along x is -y P, of P along y it is x P.
+template <int D>
+void SurfaceWater<D>::add(Load<D>& sum, std::size_t solid, const Vec<D>& x, int axis,
+                          double momentum) const {
+  const Vec<3>& centre = mapping_.solids()[solid].centre;
+  sum.force[axis] += momentum;
+  if (axis == 0) sum.torque -= (x[1] - centre[1]) * momentum;
+  if (axis == 1) sum.torque += (x[0] - centre[0]) * momentum;
+}
+
+template <int D>
+Load<D> SurfaceWater<D>::momentum(std::size_t solid, const std::array<Field, D>& u) const {
+  const auto& body = mapping_.solids()[solid];
+  const auto& pose = mapping_.poses()[solid];
+  Load<D> sum;
+  for (int c = 0; c < D; ++c)
+    for (const auto& face : mapping_.surface(c)) {
+      if (mapping_.owner(c)[face.p] != solid) continue;
+      const double rigid = pose.velocity(in_space<D>(face.x))[c];
+      const double past = mapping_.content(mapping_.open()[c][face.p]) * (u[c][face.p] - rigid);
+      add(sum, solid, face.x, c, cell_mass_ * (rigid + past));
+    }
+  const double angle = body.drive.angle(mapping_.time()), omega = body.drive.speed(mapping_.time());
+  const Vec<2> r = Eigen::Rotation2Dd(angle) * displaced_[solid].first;
+  sum.force.template head<2>() -= omega * Vec<2>(-r[1], r[0]);
+  sum.torque -= omega * displaced_[solid].second;
+  return sum;
+}
+
+template <int D>
+Load<D> SurfaceWater<D>::joined(std::size_t solid, const std::array<Field, D>& u) const {
+  Load<D> sum;
+  for (const auto& face : mapping_.changed()) {
+    if (face.solid != solid || (face.before < 1) == (face.after < 1)) continue;
+    const double sign = face.after < 1 ? 1 : -1;
+    add(sum, solid, face.x, face.axis, sign * cell_mass_ * u[face.axis][face.p]);
+  }
+  return sum;
+}
+
+template class SurfaceWater<2>;
+template class SurfaceWater<3>;
+
+}  // namespace washtub
