@@ -158,6 +158,7 @@ float DomainMapping<D>::open_fraction(const Vec<3>& x, double psi, int d, const 
   face.row = grid_.block().row_index(D == 3 ? cell[1] : 0, cell[D - 1]);
   face.place = cell[0];
   if (open_[d][face.p] < 1) held_[d].look(face.p);
+  if (psi <= -reach_outside_) return 1;
   float open = 0;
   if (heaviside_.kind == Heaviside::Kind::smooth) {
     open = heaviside_.open_fraction(psi);

@@ -30,7 +30,6 @@ template <int D>
 float WallLayer<D>::close(const SolidPose& solid, const Vec<3>& x, double psi, int d,
                           HeldFace<D>& face) const {
   const auto& h = grid_.mesh().h;
-  if (psi <= -reach()) return 1;
   const Vec<3> n = solid.normal(x, psi, 1e-3 * h.minCoeff());
   double width = 0;
   for (int e = 0; e < D; ++e) width += std::abs(n[e]) * h[e];
