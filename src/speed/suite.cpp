@@ -70,9 +70,9 @@ struct Parts {
   Parts(int cells, const Parallel& parallel)
       : whole(reference_wash(3, cells, true)),
         grid(build_mesh<3>(whole), parallel, granularity(build_mesh<3>(whole))),
-        mapping(grid, build_solids(whole), 0),
+        mapping(grid, build_solids(whole), build_heaviside(whole)),
         flow(grid, whole.fluid.density, whole.fluid.viscosity, build_sides<3>(whole),
-             {mapping.open(), false}),
+             {mapping.open(), mapping.held()}),
         cloth(build_cloth<3>(whole)),
         boundary(grid, cloth, whole.coupling.kernel, build_sides<3>(whole)),
         force(cloth.position.size(), Vec<3>(1e-3, 1e-3, 1e-3)),

@@ -143,7 +143,7 @@ TEST(Barrier, KeepsOffWhatIsBeyondAPeriodicSide) {
     return Solid{"disc", cylinder(0.2, -inf, inf), {x, 0.5, 0}, at_rest()};
   };
   const Grid<2> grid(Room::mesh(), Parallel(), {1, 1});
-  const DomainMapping<2> across(grid, {at(0.95), at(-0.05)}, 0), near(grid, {at(0.7)}, 0);
+  const DomainMapping<2> across(grid, {at(0.95), at(-0.05)}), near(grid, {at(0.7)});
   Barrier<2> image(grid, across, dots<2>({{0.3, 0.5}}));
   const std::vector<Vec<2>> in_image = {{0.16, 0.5}}, past_side = {{-0.08, 0.5}};
   ASSERT_EQ(image.find(in_image, 0.01).size(), 1u);

@@ -63,7 +63,8 @@ struct Budget {
   double cloth = 0;    ///< the largest of cloth on the body
 };
 
-/// Lets cloth push along x about a place on the upper edge of the body. Returns its force [N].
+/// Lets cloth push along x about a place on the upper edge of the body, no farther than its delta
+/// function would reach. Returns its force [N].
 template <int D>
 Vec<D> push(WaterBox<D>& box, double strength) {
   std::array<double, D> sum{};
@@ -71,7 +72,7 @@ Vec<D> push(WaterBox<D>& box, double strength) {
   place.template head<2>() = Vec<2>(0.46, 0.71);
   box.for_cells([&](const Index<D>& c, long p) {
     const double distance = (box.grid.position(c, 0) - place).squaredNorm();
-    box.flow.force()[0][p] = strength * std::exp(-distance / 0.003);
+    box.flow.force()[0][p] = distance < 0.01 ? strength * std::exp(-distance / 0.003) : 0;
     sum[0] += box.flow.force()[0][p] * box.grid.mesh().cell_volume();
   });
   box.grid.parallel().sum(std::span<double>(sum));
