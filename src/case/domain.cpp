@@ -86,7 +86,8 @@ Table<DomainCase> domain_table() {
       .key("cells", &DomainCase::cells, counts(between(8, 8192)), "number of cells")
       .required()
       .key("mapping", &DomainCase::mapping, choice<Mapping>(mappings()),
-           "how solids act on the water: Heaviside function of Eq. (9)")
+           "how solids act on the water: Heaviside function of Eq. (9), as in the paper; `gradual` "
+           "places walls to second order in the cell, and faces do not open or close at once")
       .key("mapping_width", &DomainCase::mapping_width, number(above(0)),
            "half width of the smooth mapping in cells, gamma of Eq. (11)")
       .only("with `mapping = \"smooth\"`",

@@ -87,8 +87,11 @@ std::vector<Solid> build_solids(const Case& whole) {
   for (int axis = 0; axis < whole.dimension; ++axis)
     cell = std::max(cell,
                     whole.domain.size[axis] / whole.domain.cells[static_cast<std::size_t>(axis)]);
-  const bool smooth = whole.domain.mapping == Mapping::smooth;
-  return build_solids(whole, (near + (smooth ? whole.domain.mapping_width : 0)) * cell);
+  const DomainCase& domain = whole.domain;
+  const double layer = domain.mapping == Mapping::smooth    ? domain.mapping_width
+                       : domain.mapping == Mapping::gradual ? 1
+                                                            : 0;
+  return build_solids(whole, (near + layer) * cell);
 }
 
 }  // namespace washtub

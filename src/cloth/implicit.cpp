@@ -244,8 +244,8 @@ bool ClothSolver<D>::retire() {
   for (int l = 0; l < lanes; ++l) {
     if (!active_[l]) continue;
     ++steps_[l];
-    if (steps_[l] == max_steps && size_[l] > tolerance_) failed_[l] = true;
-    active_[l] = !failed_[l] && size_[l] > tolerance_;
+    if (steps_[l] == max_steps && size_[l] > enough * sheet_.smallest_spacing()) failed_[l] = true;
+    active_[l] = !failed_[l] && size_[l] > tolerance_ && steps_[l] < max_steps;
   }
   return std::any_of(active_.begin(), active_.end(), [](bool a) { return a; });
 }

@@ -33,9 +33,9 @@ class ClothSolver {
   explicit ClothSolver(Sheet<D> sheet, const std::vector<int>& pinned = {},
                        double tolerance = D == 3 ? 1e-6 : 1e-7);
 
-  /// On return Y of each piece listed satisfies the equation above to the tolerance; other pieces
-  /// are untouched. A piece that failed keeps its last iterate, and the report names it. Allocates
-  /// nothing.
+  /// On return Y of each piece listed satisfies the equation above to the tolerance, or, after
+  /// `max_steps`, to a millionth of the node spacing; other pieces are untouched. A piece that
+  /// failed keeps its last iterate, and the report names it. Allocates nothing.
   /// @param pieces     numbers of the pieces to solve
   /// @param stiffness  k [N/m] > 0, of all pieces of the group, piece after piece; likewise
   /// @param target     Z [m] and
@@ -48,7 +48,8 @@ class ClothSolver {
  private:
   using PerLane = std::array<double, lanes>;
   using Field = LaneVector<double>;         ///< [node][component][lane]
-  static constexpr int max_steps = 60;      ///< then a piece has failed
+  static constexpr int max_steps = 60;      ///< then a piece has failed, unless its last step is
+  static constexpr double enough = 1e-6;    ///< in node spacings, or less
   static constexpr double reuse = 0.2;      ///< see above
   static constexpr double shortest = 1e-3;  ///< fraction of a step, below which a piece failed
 

@@ -44,8 +44,8 @@ class Flow {
 
   /// On return velocity() holds u* = u + dt (convection + viscosity), without pressure and force,
   /// and u* = u_o on closed faces. The step may change from call to call. Once no face has flipped
-  /// for two steps the viscous solve holds the last force and pressure gradient, so that walls keep
-  /// their velocity with them; on return they are taken out again.
+  /// for two steps, unless a force acts, the viscous solve holds the last pressure gradient, so
+  /// that walls keep their velocity with it; on return it is taken out again.
   void predict(double dt);
 
   /// Between predict() and project().
@@ -57,8 +57,8 @@ class Flow {
   /// force(). It then starts from the last pressure.
   void return_to_prediction();
 
-  /// On return Report::divergence is at most `tolerance` and velocity() is u at the new time, ghosts
-  /// current. The pressure includes the reaction to force().
+  /// On return Report::divergence is at most `tolerance` and velocity() is u at the new time,
+  /// ghosts current. The pressure includes the reaction to force().
   Report project(double tolerance, int max_cycles);
 
   /// Forgets pressure, force and the steps so far; the velocity stays.

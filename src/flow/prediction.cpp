@@ -52,7 +52,7 @@ void Prediction<D>::openings_changed(int k0, int k1) {
 }
 
 /// Right-hand side of the viscous solve for component c of one row:
-///   u + now N(u^n) + before N(u^{n-1}) + push (f - grad p) + half of the viscous term,
+///   u + now N(u^n) + before N(u^{n-1}) - push grad p + half of the viscous term,
 /// N = -div(u u) with arithmetic means on the edges of each momentum cell.
 template <int D>
 template <int c, bool pushed>
@@ -76,7 +76,6 @@ void Prediction<D>::start_row(int j, int k, const Weights& weights) {
   const double now = weights.now, before = weights.before;
   const double slope = weights.push / water_.grid.mesh().h[c];
   const double* pressure = multigrid_.pressure().data() + p;
-  const double* force = water_.f[c].data() + p;
   const auto flux = [&](auto axis, int i) {
     constexpr int d = axis;
     const long t = s[d];
@@ -100,8 +99,7 @@ void Prediction<D>::start_row(int j, int k, const Weights& weights) {
       diffusion += nu[D - 1] * (v[i + s[D - 1]] - 2 * v[i] + v[i - s[D - 1]]);
     }
     double sum = v[i] + diffusion - now * n + before * convection[i];
-    if constexpr (pushed)
-      sum += weights.push * force[i] - slope * (pressure[i] - pressure[i - s[c]]);
+    if constexpr (pushed) sum -= slope * (pressure[i] - pressure[i - s[c]]);
     rhs[i] = sum;
     convection[i] = -n;
   }
@@ -120,7 +118,7 @@ void Prediction<D>::start_rows(int j, int k, const Weights& weights) {
     all(std::false_type());
 }
 
-/// u += push (grad p - f) on the open faces of a row.
+/// u += push grad p on the open faces of a row.
 template <int D>
 void Prediction<D>::take_push_back(int j, int k, double push) {
   const auto range = multigrid_.live(j, k);
@@ -129,12 +127,11 @@ void Prediction<D>::take_push_back(int j, int k, double push) {
   const double* p = multigrid_.pressure().data() + r;
   for (int d = 0; d < D; ++d) {
     double* __restrict__ u = water_.u[d].data() + r;
-    const double* f = water_.f[d].data() + r;
     const float* open = water_.openings.open[d] + r;
     const long s = water_.grid.block().stride[d];
     const double slope = push / water_.grid.mesh().h[d];
 #pragma omp simd
-    for (int i = begin; i < end; ++i) u[i] += open[i] * (slope * (p[i] - p[i - s]) - push * f[i]);
+    for (int i = begin; i < end; ++i) u[i] += slope * open[i] * (p[i] - p[i - s]);
   }
 }
 

@@ -17,7 +17,7 @@ class Prediction {
   /// On return u = u* and its ghosts are current, see Flow::predict(). Ghosts have to be before.
   /// @param dt      [s]
   /// @param before  the step before, 0 in the first one [s]
-  /// @param held    the viscous solve holds the last force and pressure gradient
+  /// @param held    the viscous solve holds the last pressure gradient
   void advance(double dt, double before, bool held);
 
   /// Forgets the convection in cells of the planes [k0, k1) that are now solid.
@@ -30,7 +30,7 @@ class Prediction {
   /// Weights of the right-hand side of the viscous solve.
   struct Weights {
     double now, before;  ///< of the convection of this step and the one before [s]
-    double push;         ///< dt/rho of the last force and pressure gradient, or 0 [m^3 s/kg]
+    double push;         ///< dt/rho of the last pressure gradient, or 0 [m^3 s/kg]
   };
   template <int c, bool pushed>
   void start_row(int j, int k, const Weights& weights);

@@ -63,24 +63,26 @@ double Projection<D>::mean_around(const Field& pressure, long c) const {
 
 /// u += dt/rho f on the open faces of a row.
 template <int D>
-void Projection<D>::add_force_row(int j, int k, double dt, double& largest) {
+void Projection<D>::add_force_row(int j, int k, double dt, Extremes& largest) {
   const auto range = multigrid_.live(j, k);
   const int begin = range.begin, end = range.end;
   const long r = water_.grid.block().row(j, k);
   const double a = dt / water_.density;
-  double fastest = 0;
+  double fastest = 0, strongest = 0;
   for (int d = 0; d < D; ++d) {
     double* u = water_.u[d].data() + r;
     const double* f = water_.f[d].data() + r;
     const float* open = water_.openings.open[d] + r;
-#pragma omp simd reduction(max : fastest)
+#pragma omp simd reduction(max : fastest, strongest)
     for (int i = begin; i < end; ++i) {
+      strongest = std::max(strongest, std::abs(f[i]));
       u[i] += a * open[i] * f[i];
       fastest = std::max(fastest, std::abs(u[i]));
     }
     water_.grid.halo().wrap_row(u);
   }
-  largest = std::max(largest, fastest);
+  largest.speed = std::max(largest.speed, fastest);
+  largest.force = std::max(largest.force, strongest);
 }
 
 /// Source -div u / dt of the pressure in a row, and the first guess.
@@ -152,7 +154,7 @@ double Projection<D>::start(double dt, bool again) {
   const auto& grid = water_.grid;
   if (!again) warm_start_.next_step();
   const WarmStart::Guess guess = again ? WarmStart::Guess{1, 0} : warm_start_.guess();
-  double largest = std::max(water_.speed, water_.passing.fastest_inflow());
+  Extremes largest{std::max(water_.speed, water_.passing.fastest_inflow()), 0};
   wavefront(
       grid.block(), grid.halo(), 1,
       [&](int, int k, int j0, int j1) {
@@ -162,7 +164,10 @@ double Projection<D>::start(double dt, bool again) {
       [&](int k) {
         for (int j = 0; j < grid.block().rows(); ++j) start_row(j, k, dt, guess, again);
       });
-  return grid.parallel().max(largest);
+  Tally tally{{}, {largest.speed, largest.force}};
+  combine(grid.parallel(), tally);
+  warm_start_.set_forced(tally.max[1] > 0);
+  return tally.max[0];
 }
 
 template <int D>
@@ -207,7 +212,9 @@ void Projection<D>::state(Archive& archive) {
   archive.grid("pressure", multigrid_.pressure(), water_.grid.part());
   archive.grid("before", before_, water_.grid.part());
   archive.value("warm start", warm_start_);
-  if (archive.reading()) multigrid_.update();
+  if (!archive.reading()) return;
+  multigrid_.update();
+  water_.grid.halo().exchange(multigrid_.pressure().data());
 }
 
 template class Projection<2>;

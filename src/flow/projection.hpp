@@ -43,9 +43,12 @@ class Projection {
   const WarmStart& warm_start() const { return warm_start_; }
 
  private:
+  struct Extremes {
+    double speed, force;  ///< largest component [m/s, N/m^3]
+  };
   void start_new_cells(Field& pressure, int k0, int k1);
   double mean_around(const Field& pressure, long cell) const;
-  void add_force_row(int j, int k, double dt, double& largest);
+  void add_force_row(int j, int k, double dt, Extremes& largest);
   void start_row(int j, int k, double dt, const WarmStart::Guess& guess, bool again);
   void correct_row(int j, int k, double dt, Report& report);
   double start(double dt, bool again);

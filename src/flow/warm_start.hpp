@@ -23,13 +23,20 @@ class WarmStart {
     if (steps_ >= 3) return {2, -1};
     return {steps_ == 2 ? 1.0 : 0.0, 0};
   }
-  /// Whether the next step may count on the last pressure gradient: no flip for two steps.
-  bool gradient_holds() const { return steps_ >= 1; }
+  /// Whether the force of this step is not zero everywhere.
+  void set_forced(bool forced) { forced_ = forced; }
+  /// Whether the next step may count on the last pressure gradient: no flip for two steps, and no
+  /// force, which the gradient would have to follow.
+  bool gradient_holds() const { return steps_ >= 1 && !forced_; }
 
-  void state(Archive& archive) { archive.value("steps", steps_); }
+  void state(Archive& archive) {
+    archive.value("steps", steps_);
+    archive.value("forced", forced_);
+  }
 
  private:
   int steps_ = -1;  ///< since a flip
+  bool forced_ = false;
 };
 
 }  // namespace washtub

@@ -30,7 +30,7 @@ struct RunEnd {
   int ranks = 1;
   double wall_time = 0;  ///< [s]
   int frames = 0;
-  Extremes extremes;
+  Extremes extremes = {};
   Quality quality = {};
   PhaseTimes phases = {};
 };

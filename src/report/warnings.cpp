@@ -148,7 +148,7 @@ void warn_of_pressure(const RunRecord& run, Sentences& found) {
   const auto divergence = extreme(run, {names::run, names::largest_divergence}, names::divergence);
   if (run.definition && divergence.value_or(0) > run.definition->solver.divergence * (1 + 1e-6))
     found.push_back(
-        fmt::format("The largest divergence of the water is {:.2g} U/h, the solver's target {:.2g} "
+        fmt::format("The divergence of the water reaches {:.2g} U/h, the solver's target {:.2g} "
                     "(solver.divergence).",
                     *divergence, run.definition->solver.divergence));
 }

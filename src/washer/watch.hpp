@@ -11,10 +11,10 @@ namespace washtub {
 
 /// Bounds beyond which a state makes no sense any more; that of strain is the case's.
 struct WatchLimits {
-  double courant = 1;       ///< CFL number of a fixed step: beyond it convection is unstable
-  double divergence = 0.1;  ///< |div u| h/U that the pressure solve may leave
-  double slip = 0.5;        ///< rms slip of the cloth over the speed of what drives the water
-  double speed = 10;        ///< of the water over that of what drives it
+  double courant = 1;        ///< CFL number of a fixed step: beyond it convection is unstable
+  double divergence = 0.01;  ///< root mean square of |div u| h/U that the pressure solve may leave
+  double slip = 0.5;         ///< rms slip of the cloth over the speed of what drives the water
+  double speed = 10;         ///< of the water over that of what drives it
 };
 
 /// What a step tells of itself.
@@ -23,7 +23,7 @@ struct StepHealth {
   double time = 0;           ///< after the step [s]
   double dt = 0;             ///< [s]
   double courant = 0;        ///< CFL number
-  double divergence = 0;     ///< |div u| h/U left
+  double divergence = 0;     ///< root mean square of |div u| h/U left
   bool converged = true;     ///< the pressure solve
   int cycles = 0;            ///< of the pressure solve
   double speed = 0;          ///< largest velocity component [m/s]

@@ -98,7 +98,7 @@ void widen(WaterBox<D>& box) {
 }
 
 /// Friction on the body and the bulk force of what the viscous solve ended with: u*, or, once no
-/// face has flipped for two steps, u* with the last force and pressure.
+/// face has flipped for two steps, u* with the last pressure.
 template <int D>
 std::pair<Vec<D>, Vec<D>> viscous_end(WaterBox<D>& box, bool calm) {
   box.flow.keep_prediction();
@@ -148,7 +148,7 @@ Budget exact_budget(const WaterSetup<D>& setup, double dt, int steps, double str
     const Vec<D> start = box.loads(0).friction.force;
     Vec<D> bulk = bulk_force(box);
     box.flow.predict(dt);
-    const auto [end, end_bulk] = viscous_end(box, calm_steps >= 1);
+    const auto [end, end_bulk] = viscous_end(box, calm_steps >= 1 && strength == 0);
     const Vec<D> friction = over_ranks<D>(box, start + end);
     bulk += end_bulk;
     box.flow.project(1e-10, 60);

@@ -39,5 +39,14 @@ TEST(WarmStart, AFlipMakesTheLastPressuresWorthless) {
   EXPECT_EQ(calm_steps(start, 5), after_a_flip);
 }
 
+TEST(WarmStart, AForceReleasesTheGradientOnly) {
+  WarmStart start;
+  calm_steps(start, 5);
+  start.set_forced(true);
+  EXPECT_EQ(calm_steps(start, 1), (std::vector<Seen>{{false, 2, -1}}));
+  start.set_forced(false);
+  EXPECT_TRUE(start.gradient_holds());
+}
+
 }  // namespace
 }  // namespace washtub
