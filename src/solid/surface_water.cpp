@@ -39,13 +39,17 @@ double SurfaceWater<D>::share_inside(std::size_t solid, const Vec<D>& x) const {
   return static_cast<double>(inside) / all;
 }
 
-/// Over the cells around the faces along x and y, as they carry momentum.
+/// Over the cells around the faces along x and y, as they carry momentum. A mapping that opens
+/// faces in part knows where the surface is, and the water that the solid displaces is that within
+/// it; a sharp one displaces the cells that it closes.
 template <int D>
 typename SurfaceWater<D>::Displaced SurfaceWater<D>::integrate(std::size_t solid) const {
   const auto& block = grid_.block();
   const Vec<3>& centre = mapping_.solids()[solid].centre;
+  const auto held = mapping_.held();
   Displaced sum;
-  for (int c = 0; c < 2; ++c)
+  for (int c = 0; c < 2; ++c) {
+    const bool in_part = held[c]->size() > 0;
     for (int k = 0; k < block.planes(); ++k)
       for (int j = 0; j < block.rows(); ++j)
         for (int i = 0; i < block.width(); ++i) {
@@ -53,13 +57,16 @@ typename SurfaceWater<D>::Displaced SurfaceWater<D>::integrate(std::size_t solid
           cell[0] = i;
           if constexpr (D == 3) cell[1] = j;
           cell[D - 1] = k;
-          if (mapping_.owner(c)[block.at(cell)] != solid) continue;
+          const long p = block.at(cell);
+          if (mapping_.owner(c)[p] != solid) continue;
           const Vec<D> x = grid_.position(cell, c);
           const double arm = x[1 - c] - centre[1 - c];
-          const double mass = cell_mass_ * share_inside(solid, x);
+          const double share = in_part ? share_inside(solid, x) : mapping_.open()[c][p] <= 0;
+          const double mass = cell_mass_ * share;
           sum.first[1 - c] += mass * arm;
           sum.second += mass * arm * arm;
         }
+  }
   return sum;
 }
 
