@@ -31,18 +31,25 @@ void Projection<D>::openings_changed(int k0, int k1, bool flipped) {
 }
 
 /// Cells of the planes [k0, k1) in which water now is, without a pressure yet, take the mean of
-/// those around, each by how open the face between is.
+/// those around that had one, each by how open the face between is. Ghosts are current on return.
 template <int D>
 void Projection<D>::start_new_cells(Field& pressure, int k0, int k1) {
   const auto& block = water_.grid.block();
   const float* live = multigrid_.inverse_diagonal();
-  for (int k = k0; k < k1; ++k)
-    for (int j = 0; j < block.rows(); ++j) {
-      const auto range = multigrid_.live(j, k);
-      const long row = block.row(j, k);
-      for (long c = row + range.begin; c < row + range.end; ++c)
-        if (live[c] > 0 && pressure[c] == 0) pressure[c] = mean_around(pressure, c);
-    }
+  double* means = multigrid_.source().data();  // not in use until the projection
+  const auto for_new_cells = [&](auto&& visit) {
+    for (int k = k0; k < k1; ++k)
+      for (int j = 0; j < block.rows(); ++j) {
+        const auto range = multigrid_.live(j, k);
+        const long row = block.row(j, k);
+        for (long c = row + range.begin; c < row + range.end; ++c)
+          if (live[c] > 0 && pressure[c] == 0) visit(c);
+      }
+  };
+  water_.grid.halo().exchange(pressure.data());
+  for_new_cells([&](long c) { means[c] = mean_around(pressure, c); });
+  for_new_cells([&](long c) { pressure[c] = means[c]; });
+  water_.grid.halo().exchange(pressure.data());
 }
 
 template <int D>
