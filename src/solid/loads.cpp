@@ -21,13 +21,6 @@ class LoadSum {
   const SurfaceLoads<D>& loads() const { return loads_; }
 
  private:
-  /// A force along `axis` at x. The moment of F along x is -y F, of F along y it is x F.
-  void add(Load<D>& load, const Vec<D>& x, int axis, double force) const {
-    load.force[axis] += force;
-    if (axis == 0) load.torque -= (x[1] - centre_[1]) * force;
-    if (axis == 1) load.torque += (x[0] - centre_[0]) * force;
-  }
-
   void add_fluxes(const SurfaceFace<D>& face, int c, int d);
   void add_flux(const SurfaceFace<D>& face, int c, int d, int side);
   void add_body(const SurfaceFace<D>& face, int d);
@@ -61,8 +54,8 @@ void LoadSum<D>::add_flux(const SurfaceFace<D>& face, int c, int d, int side) {
   const double area = (side == 0 ? 1 : -1) * grid_.mesh().cell_volume() / h[d];
   Vec<D> x = face.x;
   x[d] += (side - 0.5) * h[d];
-  add(loads_.friction, x, c, area * water_.viscosity * strain);
-  add(loads_.convection, x, c, area * water_.density * carried);
+  loads_.friction.add(x, centre_, c, area * water_.viscosity * strain);
+  loads_.convection.add(x, centre_, c, area * water_.density * carried);
 }
 
 /// Pressure on a face normal to d, and the cloth force that was spread to it.
@@ -70,8 +63,8 @@ template <int D>
 void LoadSum<D>::add_body(const SurfaceFace<D>& face, int d) {
   const double volume = grid_.mesh().cell_volume(), area = volume / grid_.mesh().h[d];
   const double* p = water_.pressure + face.p;
-  add(loads_.pressure, face.x, d, area * (p[-grid_.block().stride[d]] - p[0]));
-  add(loads_.cloth, face.x, d, volume * water_.force[d][face.p]);
+  loads_.pressure.add(face.x, centre_, d, area * (p[-grid_.block().stride[d]] - p[0]));
+  loads_.cloth.add(face.x, centre_, d, volume * water_.force[d][face.p]);
 }
 
 }  // namespace

@@ -9,6 +9,13 @@ struct Load {
   Vec<D> force = Vec<D>::Zero();  ///< [N]
   double torque = 0;              ///< [N m]
 
+  /// A force along `axis` at x: the moment of F along x is -y F, of F along y it is x F.
+  void add(const Vec<D>& x, const Vec<3>& centre, int axis, double along) {
+    force[axis] += along;
+    if (axis == 0) torque -= (x[1] - centre[1]) * along;
+    if (axis == 1) torque += (x[0] - centre[0]) * along;
+  }
+
   Load& operator+=(const Load& other) {
     force += other.force;
     torque += other.torque;

@@ -70,16 +70,6 @@ typename SurfaceWater<D>::Displaced SurfaceWater<D>::integrate(std::size_t solid
   return sum;
 }
 
-/// Momentum along `axis` at x. The moment of P along x is -y P, of P along y it is x P.
-template <int D>
-void SurfaceWater<D>::add(Load<D>& sum, std::size_t solid, const Vec<D>& x, int axis,
-                          double momentum) const {
-  const Vec<3>& centre = mapping_.solids()[solid].centre;
-  sum.force[axis] += momentum;
-  if (axis == 0) sum.torque -= (x[1] - centre[1]) * momentum;
-  if (axis == 1) sum.torque += (x[0] - centre[0]) * momentum;
-}
-
 template <int D>
 Load<D> SurfaceWater<D>::momentum(std::size_t solid, const std::array<Field, D>& u) const {
   const auto& body = mapping_.solids()[solid];
@@ -90,7 +80,7 @@ Load<D> SurfaceWater<D>::momentum(std::size_t solid, const std::array<Field, D>&
       if (mapping_.owner(c)[face.p] != solid) continue;
       const double rigid = pose.velocity(in_space<D>(face.x))[c];
       const double past = mapping_.content(mapping_.open()[c][face.p]) * (u[c][face.p] - rigid);
-      add(sum, solid, face.x, c, cell_mass_ * (rigid + past));
+      sum.add(face.x, body.centre, c, cell_mass_ * (rigid + past));
     }
   const double angle = body.drive.angle(mapping_.time()), omega = body.drive.speed(mapping_.time());
   const Vec<2> r = Eigen::Rotation2Dd(angle) * displaced_[solid].first;
@@ -105,7 +95,8 @@ Load<D> SurfaceWater<D>::joined(std::size_t solid, const std::array<Field, D>& u
   for (const auto& face : mapping_.changed()) {
     if (face.solid != solid || (face.before < 1) == (face.after < 1)) continue;
     const double sign = face.after < 1 ? 1 : -1;
-    add(sum, solid, face.x, face.axis, sign * cell_mass_ * u[face.axis][face.p]);
+    sum.add(face.x, mapping_.solids()[solid].centre, face.axis,
+            sign * cell_mass_ * u[face.axis][face.p]);
   }
   return sum;
 }

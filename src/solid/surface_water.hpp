@@ -29,7 +29,6 @@ class SurfaceWater {
   };
   Displaced integrate(std::size_t solid) const;
   double share_inside(std::size_t solid, const Vec<D>& x) const;
-  void add(Load<D>& sum, std::size_t solid, const Vec<D>& x, int axis, double momentum) const;
 
   const Grid<D>& grid_;
   const DomainMapping<D>& mapping_;
