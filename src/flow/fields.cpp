@@ -73,8 +73,7 @@ void FlowFields<D>::from_passage() {
 
 template <int D>
 void FlowFields<D>::exchange() {
-  const auto values = velocities();
-  grid.halo().exchange(std::span<double* const>(values));
+  grid.halo().exchange(u);
 }
 
 template <int D>

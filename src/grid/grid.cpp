@@ -46,7 +46,7 @@ Index<D> choose_ranks(const Index<D>& cells, const Granularity<D>& unit, int siz
       if (ranks[d] > 1) surface += 1;
     }
     const long cost = 16 * volume + surface * volume;
-    if (best_cost < 0 || cost <= best_cost) best = ranks, best_cost = cost;
+    if (best_cost < 0 || cost < best_cost) best = ranks, best_cost = cost;
   }
   if (best_cost < 0)
     throw InputError(std::to_string(size) + " ranks are too many for this grid: try fewer (-n)");

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "grid/block.hpp"
+#include "grid/storage.hpp"
 
 namespace washtub {
 
@@ -25,6 +26,12 @@ class Halo {
   void exchange(std::span<double* const> arrays) const;
   void exchange(std::span<float* const> arrays) const;
   void exchange(std::span<std::uint8_t* const> arrays) const;
+  template <class T, std::size_t N>
+  void exchange(std::array<Storage<T>, N>& fields) const {
+    std::array<T*, N> arrays;
+    for (std::size_t n = 0; n < N; ++n) arrays[n] = fields[n].data();
+    exchange(std::span<T* const>(arrays));
+  }
   template <class T>
   void exchange(T* array) const {
     exchange(std::span<T* const>(&array, 1));

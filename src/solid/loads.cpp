@@ -1,26 +1,29 @@
 #include "solid/loads.hpp"
 
+#include <algorithm>
+
 namespace washtub {
 namespace {
 
-/// Adds up the loads on one solid, face by face.
+/// Adds up the loads on one solid, face by face, along the first `axes` axes.
 template <int D>
 class LoadSum {
  public:
   LoadSum(const Grid<D>& grid, const DomainMapping<D>& mapping, std::size_t solid,
-          const WaterState<D>& water)
+          const WaterState<D>& water, int axes)
       : grid_(grid), mapping_(mapping), centre_(mapping.solids()[solid].centre), water_(water) {
-    for (int c = 0; c < D; ++c)
-      for (const auto& face : mapping.surface(c)) {
-        if (mapping.owner(c)[face.p] != solid) continue;
+    for (int c = 0; c < axes; ++c)
+      mapping.for_surface(solid, c, [&](const SurfaceFace<D>& face) {
         add_body(face, c);
+        if (!at_water(face.p, c)) return;
         for (int d = 0; d < D; ++d) add_fluxes(face, c, d);
-      }
+      });
   }
 
   const SurfaceLoads<D>& loads() const { return loads_; }
 
  private:
+  bool at_water(long p, int c) const;
   void add_fluxes(const SurfaceFace<D>& face, int c, int d);
   void add_flux(const SurfaceFace<D>& face, int c, int d, int side);
   void add_body(const SurfaceFace<D>& face, int d);
@@ -31,6 +34,15 @@ class LoadSum {
   const WaterState<D>& water_;
   SurfaceLoads<D> loads_;
 };
+
+/// Whether some face next to the one at p, along any axis, is fully open.
+template <int D>
+bool LoadSum<D>::at_water(long p, int c) const {
+  const float* open = mapping_.open()[c] + p;
+  float most = 0;
+  for (const long s : grid_.block().stride) most = std::max({most, open[-s], open[s]});
+  return most >= 1;
+}
 
 /// Fluxes of momentum component c along d between a face in the solid and its open neighbours.
 template <int D>
@@ -72,12 +84,22 @@ void LoadSum<D>::add_body(const SurfaceFace<D>& face, int d) {
 template <int D>
 SurfaceLoads<D> surface_loads(const Grid<D>& grid, const DomainMapping<D>& mapping,
                               std::size_t solid, const WaterState<D>& water) {
-  return LoadSum<D>(grid, mapping, solid, water).loads();
+  return LoadSum<D>(grid, mapping, solid, water, D).loads();
+}
+
+template <int D>
+double surface_torque(const Grid<D>& grid, const DomainMapping<D>& mapping, std::size_t solid,
+                      const WaterState<D>& water) {
+  return LoadSum<D>(grid, mapping, solid, water, 2).loads().total().torque;
 }
 
 template SurfaceLoads<2> surface_loads<2>(const Grid<2>&, const DomainMapping<2>&, std::size_t,
                                           const WaterState<2>&);
 template SurfaceLoads<3> surface_loads<3>(const Grid<3>&, const DomainMapping<3>&, std::size_t,
                                           const WaterState<3>&);
+template double surface_torque<2>(const Grid<2>&, const DomainMapping<2>&, std::size_t,
+                                  const WaterState<2>&);
+template double surface_torque<3>(const Grid<3>&, const DomainMapping<3>&, std::size_t,
+                                  const WaterState<3>&);
 
 }  // namespace washtub

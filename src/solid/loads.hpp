@@ -63,4 +63,9 @@ template <int D>
 SurfaceLoads<D> surface_loads(const Grid<D>& grid, const DomainMapping<D>& mapping,
                               std::size_t solid, const WaterState<D>& water);
 
+/// The torque of these loads alone: what acts along the vertical has none.
+template <int D>
+double surface_torque(const Grid<D>& grid, const DomainMapping<D>& mapping, std::size_t solid,
+                      const WaterState<D>& water);
+
 }  // namespace washtub

@@ -30,19 +30,16 @@ CellBox<D> cells_within(const Grid<D>& grid, const Vec<D>& lower, const Vec<D>& 
   return box;
 }
 
-/// The cells a turning solid can reach, `margin` around it included.
-template <int D>
-CellBox<D> sweep(const Grid<D>& grid, const Solid& solid, double margin) {
-  const Bounds b = solid.shape.bounds();
-  const double x = std::max(std::abs(b.lower[0]), std::abs(b.upper[0]));
-  const double y = std::max(std::abs(b.lower[1]), std::abs(b.upper[1]));
-  const double reach = std::hypot(x, y) + margin;
-  Vec<D> lower, upper;
-  for (int d = 0; d < D; ++d) {
-    lower[d] = solid.centre[d] + (d < 2 ? -reach : b.lower[2] - margin);
-    upper[d] = solid.centre[d] + (d < 2 ? reach : b.upper[2] + margin);
-  }
-  return cells_within(grid, lower, upper);
+constexpr int look = 16;  // faces of a row that are asked at once whether to look at them again
+static_assert(look <= Block<3>::pad);
+constexpr float never = 1e30F;
+
+/// Least of `look` values.
+float earliest(const float* values) {
+  float least = never;
+#pragma omp simd reduction(min : least)
+  for (int i = 0; i < look; ++i) least = std::min(least, values[i]);
+  return least;
 }
 
 /// How far from a surface a face in the water can be and still be closed in part.
@@ -60,6 +57,22 @@ double reach_outside(const Heaviside& heaviside, const WallLayer<D>& layer, cons
 
 }  // namespace
 
+/// What a turning solid can reach, `margin` around it included.
+template <int D>
+typename DomainMapping<D>::Reach DomainMapping<D>::sweep(const Grid<D>& grid, const Solid& solid,
+                                                         double margin) {
+  const Bounds b = solid.shape.bounds();
+  const double x = std::max(std::abs(b.lower[0]), std::abs(b.upper[0]));
+  const double y = std::max(std::abs(b.lower[1]), std::abs(b.upper[1]));
+  const double radius = std::hypot(x, y) + margin;
+  Vec<D> lower, upper;
+  for (int d = 0; d < D; ++d) {
+    lower[d] = solid.centre[d] + (d < 2 ? -radius : b.lower[2] - margin);
+    upper[d] = solid.centre[d] + (d < 2 ? radius : b.upper[2] + margin);
+  }
+  return {cells_within(grid, lower, upper), radius};
+}
+
 template <int D>
 DomainMapping<D>::DomainMapping(const Grid<D>& grid, std::vector<Solid> solids,
                                 const Heaviside& heaviside)
@@ -74,20 +87,23 @@ DomainMapping<D>::DomainMapping(const Grid<D>& grid, std::vector<Solid> solids,
   for (int d = 0; d < D; ++d) {
     open_[d] = Storage<float>(n);
     expiry_[d] = Storage<float>(n);
+    expiry_[d].fill(never);
     owner_[d] = Storage<std::uint8_t>(n);
   }
   for (int d = 0; d < D; ++d) {
-    surface_.emplace_back(grid, d);
+    swept_.emplace_back(grid, d);
+    resting_.emplace_back(grid, d);
     held_.emplace_back(grid.block());
   }
   CellBox<D> whole;
   whole.upper = grid.block().count;
   moving_planes_ = {grid.block().planes(), 0};
   for (const auto& solid : solids_) {
-    reach_.push_back(solid.drive.moving() ? sweep(grid, solid, reach_outside_) : whole);
-    if (!solid.drive.moving() || reach_.back().empty()) continue;
-    moving_planes_[0] = std::min(moving_planes_[0], reach_.back().lower[D - 1]);
-    moving_planes_[1] = std::max(moving_planes_[1], reach_.back().upper[D - 1]);
+    reach_.push_back(solid.drive.moving() ? sweep(grid, solid, reach_outside_) : Reach{});
+    const auto& cells = reach_.back().cells;
+    if (cells.empty()) continue;
+    moving_planes_[0] = std::min(moving_planes_[0], cells.lower[D - 1]);
+    moving_planes_[1] = std::max(moving_planes_[1], cells.upper[D - 1]);
   }
   if (moving_planes_[0] >= moving_planes_[1]) moving_planes_ = {0, 0};
   pose();
@@ -99,13 +115,26 @@ DomainMapping<D>::DomainMapping(const Grid<D>& grid, std::vector<Solid> solids,
   for (auto& held : held_) held.update();
 }
 
-/// Whether the surface or what acts there can come to a face that a solid closes: cloth pushes as
-/// far as its delta function reaches.
+/// Whether a solid that moves can come to a face.
 template <int D>
-bool DomainMapping<D>::counts(const Vec<D>& x, int owner, const Index<D>& cell) const {
-  for (std::size_t s = 0; s < solids_.size(); ++s)
-    if (solids_[s].drive.moving() && reach_[s].contains(cell)) return true;
-  return poses_[owner].psi(in_space<D>(x)) < deepest_push * grid_.mesh().h.maxCoeff();
+bool DomainMapping<D>::swept(const Vec<D>& x, const Index<D>& cell) const {
+  for (std::size_t s = 0; s < solids_.size(); ++s) {
+    const Vec<2> arm = x.template head<2>() - solids_[s].centre.template head<2>();
+    if (reach_[s].cells.contains(cell) && arm.norm() <= reach_[s].radius) return true;
+  }
+  return false;
+}
+
+/// Takes a face in a solid to the lists, if what acts at the surface can come to it: cloth pushes
+/// as far as its delta function reaches.
+template <int D>
+void DomainMapping<D>::list_surface(int d, const Index<D>& cell) {
+  const Vec<D> x = grid_.position(cell, d);
+  const int owner = owner_[d][grid_.block().at(cell)];
+  if (swept(x, cell))
+    swept_[d].add(cell);
+  else if (poses_[owner].psi(in_space<D>(x)) < deepest_push * grid_.mesh().h.maxCoeff())
+    resting_[d].add(cell);
 }
 
 /// All faces in solids.
@@ -113,7 +142,8 @@ template <int D>
 void DomainMapping<D>::find_surface() {
   const auto& block = grid_.block();
   for (int d = 0; d < D; ++d) {
-    surface_[d].clear();
+    swept_[d].clear();
+    resting_[d].clear();
     for (int k = 0; k < block.planes(); ++k)
       for (int j = 0; j < block.rows(); ++j)
         for (int i = 0; i < block.width(); ++i) {
@@ -123,17 +153,11 @@ void DomainMapping<D>::find_surface() {
           cell[0] = i;
           if constexpr (D == 3) cell[1] = j;
           cell[D - 1] = k;
-          if (counts(grid_.position(cell, d), owner_[d][p], cell)) surface_[d].add(cell);
+          list_surface(d, cell);
         }
-    surface_[d].update(open_[d].data());
+    swept_[d].update(open_[d].data());
+    resting_[d].update(open_[d].data());
   }
-}
-
-template <int D>
-std::array<const float*, D> DomainMapping<D>::open() const {
-  std::array<const float*, D> o;
-  for (int d = 0; d < D; ++d) o[d] = open_[d].data();
-  return o;
 }
 
 template <int D>
@@ -198,6 +222,10 @@ void DomainMapping<D>::evaluate_row(int d, int j, int k, int i0, int i1, bool al
   if (d > 0 && cell[d] == 0 && grid_.at_side(d, 0)) return;  // a side of the box, always closed
   if (d == 0 && grid_.at_side(0, 0)) i0 = std::max(i0, 1);
   for (int i = i0; i < i1; ++i) {
+    if (!all && i % look == 0 && earliest(expiry + i) > now) {
+      i += look - 1;
+      continue;
+    }
     if (!all && expiry[i] > now) continue;
     cell[0] = i;
     const Vec<3> x = in_space<D>(grid_.position(cell, d));
@@ -215,7 +243,8 @@ void DomainMapping<D>::evaluate_row(int d, int j, int k, int i0, int i1, bool al
     const float fresh = open_fraction(x, largest, d, cell, owner[i]);
     if (fresh == open[i]) continue;
     changed_.push_back({d, owner[i], p + i, grid_.position(cell, d), open[i], fresh});
-    if (open[i] >= 1) surface_[d].add(cell);
+    if (open[i] >= 1) swept_[d].add(cell);
+    if (fresh >= 1) swept_[d].release();
     open[i] = fresh;
     change_.any = true;
   }
@@ -256,14 +285,8 @@ void DomainMapping<D>::close_sides() {
 /// Ghosts of the open fractions and of their owners.
 template <int D>
 void DomainMapping<D>::exchange() {
-  std::array<float*, D> open;
-  std::array<std::uint8_t*, D> owner;
-  for (int d = 0; d < D; ++d) {
-    open[d] = open_[d].data();
-    owner[d] = owner_[d].data();
-  }
-  grid_.halo().exchange(std::span<float* const>(open));
-  grid_.halo().exchange(std::span<std::uint8_t* const>(owner));
+  grid_.halo().exchange(open_);
+  grid_.halo().exchange(owner_);
 }
 
 template <int D>
@@ -284,49 +307,25 @@ typename DomainMapping<D>::Change DomainMapping<D>::update(double t) {
   pose();
   const bool all = travel_ > rebase_after;
   if (all) travel_ = 0;
-  for (std::size_t s = 0; s < solids_.size(); ++s)
-    if (solids_[s].drive.moving()) evaluate(reach_[s], all);
+  for (std::size_t s = 0; s < solids_.size(); ++s) evaluate(reach_[s].cells, all);
   for (auto& held : held_) held.update();
   change_.any = grid_.parallel().any(change_.any);
   if (change_.any) {
     change_.flipped = heaviside_.kind == Heaviside::Kind::sharp;
     exchange();
-    for (int d = 0; d < D; ++d) surface_[d].update(open_[d].data());
+    for (int d = 0; d < D; ++d) swept_[d].update(open_[d].data());
   }
   return change_;
 }
 
 template <int D>
 void DomainMapping<D>::impose(std::array<Field, D>& u) const {
-  const auto& block = grid_.block();
   for (std::size_t s = 0; s < solids_.size(); ++s) {
-    const auto& solid = solids_[s];
-    const auto& box = reach_[s];
-    if (!solid.drive.moving() || box.empty()) continue;
-    const double omega = solid.drive.speed(time_);
-    const double h = grid_.mesh().h[0];
-    for (int k = box.lower[D - 1]; k < box.upper[D - 1]; ++k) {
-      const int j0 = D == 3 ? box.lower[1] : 0, j1 = D == 3 ? box.upper[1] : 1;
-      for (int j = j0; j < j1; ++j) {
-        const long p = block.row(j, k);
-        Index<D> cell{};
-        if constexpr (D == 3) cell[1] = j;
-        cell[D - 1] = k;
-        for (int d = 0; d < D; ++d) {
-          const Vec<D> x = grid_.position(cell, d);
-          const double start = d == 0   ? -omega * (x[1] - solid.centre[1])
-                               : d == 1 ? omega * (x[0] - solid.centre[0])
-                                        : 0.0;
-          const double slope = d == 1 ? omega * h : 0.0;
-          const float* open = open_[d].data() + p;
-          const std::uint8_t* owner = owner_[d].data() + p;
-          double* v = u[d].data() + p;
-#pragma omp simd
-          for (int i = box.lower[0]; i < box.upper[0]; ++i)
-            v[i] = (open[i] <= 0 && owner[i] == s) ? start + slope * i : v[i];
-        }
-      }
-    }
+    if (!solids_[s].drive.moving()) continue;
+    for (int d = 0; d < D; ++d)
+      for_surface(s, d, [&](const SurfaceFace<D>& face) {
+        if (open_[d][face.p] <= 0) u[d][face.p] = poses_[s].velocity(in_space<D>(face.x))[d];
+      });
   }
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -48,16 +49,27 @@ class DomainMapping {
   double time() const { return time_; }
   const std::vector<Solid>& solids() const { return solids_; }
   /// Open fractions of the lower faces along each axis, ghosts included.
-  std::array<const float*, D> open() const;
+  std::array<const float*, D> open() const {
+    std::array<const float*, D> o;
+    for (int d = 0; d < D; ++d) o[d] = open_[d].data();
+    return o;
+  }
   /// Solid with the largest psi at the lower faces along axis d, ghosts included; meaningful where
   /// not fully open.
   const std::uint8_t* owner(int d) const { return owner_[d].data(); }
   /// Along each axis, the faces whose velocity is held to one that the solids and the water farther
   /// out ask for.
   std::array<const HeldFaces<D>*, D> held() const;
-  /// Faces of this rank along axis d that are not fully open, those deep inside solids that never
-  /// move aside.
-  const SurfaceFaces<D>& surface(int d) const { return surface_[d]; }
+  /// Calls visit(face) for the faces of this rank along axis d that a solid closes or narrows,
+  /// those deep inside a solid that never moves left out.
+  template <class Visit>
+  void for_surface(std::size_t solid, int d, Visit&& visit) const {
+    const auto own = [&](const auto& face) {
+      if (owner_[d][face.p] == solid) visit(face);
+    };
+    std::for_each(swept_[d].begin(), swept_[d].end(), own);
+    if (!solids_[solid].drive.moving()) std::for_each(resting_[d].begin(), resting_[d].end(), own);
+  }
   /// Planes of this rank that moving solids can reach, [first, last).
   std::array<int, 2> moving_planes() const { return moving_planes_; }
 
@@ -86,7 +98,8 @@ class DomainMapping {
   void pose();
   void find_surface();
   void hold();
-  bool counts(const Vec<D>& x, int owner, const Index<D>& cell) const;
+  bool swept(const Vec<D>& x, const Index<D>& cell) const;
+  void list_surface(int d, const Index<D>& cell);
   void exchange();
   void close_sides();
   double outset(const SolidPose& solid, const Vec<3>& x, double psi) const;
@@ -102,10 +115,16 @@ class DomainMapping {
   Change change_;
   std::array<Storage<float>, D> open_, expiry_;
   std::array<Storage<std::uint8_t>, D> owner_;
-  std::vector<SurfaceFaces<D>> surface_;
+  std::vector<SurfaceFaces<D>> swept_;    ///< faces in solids where one that moves can come
+  std::vector<SurfaceFaces<D>> resting_;  ///< the others, which never change
   std::vector<HeldFaces<D>> held_;
-  std::vector<CellBox<D>> reach_;  ///< cells whose faces a solid that moves can close; whole block
-                                   ///< for others
+  /// Where a solid that moves can close faces: within `radius` of its axis, in these cells.
+  struct Reach {
+    CellBox<D> cells;
+    double radius;  ///< [m]
+  };
+  static Reach sweep(const Grid<D>& grid, const Solid& solid, double margin);
+  std::vector<Reach> reach_;
   std::array<int, 2> moving_planes_{};
 
   std::vector<ChangedFace> changed_;

@@ -16,10 +16,6 @@ double SolidPose::psi(const Vec<3>& x) const {
   return shape_->psi({cos_ * d[0] + sin_ * d[1], cos_ * d[1] - sin_ * d[0], d[2]});
 }
 
-Vec<3> SolidPose::velocity(const Vec<3>& x) const {
-  return {-speed_ * (x[1] - centre_[1]), speed_ * (x[0] - centre_[0]), 0.0};
-}
-
 Vec<3> SolidPose::normal(const Vec<3>& x, double step) const {
   Vec<3> gradient;
   for (int k = 0; k < 3; ++k) {

@@ -13,7 +13,10 @@ class SolidPose {
   SolidPose(const Shape& shape, const Vec<3>& centre, double angle, double speed);
 
   double psi(const Vec<3>& x) const;       ///< signed distance [m], > 0 inside
-  Vec<3> velocity(const Vec<3>& x) const;  ///< of the solid's matter at x [m/s]
+  /// Of the solid's matter at x [m/s].
+  Vec<3> velocity(const Vec<3>& x) const {
+    return {-speed_ * (x[1] - centre_[1]), speed_ * (x[0] - centre_[0]), 0.0};
+  }
   /// Unit vector along grad psi (into the solid), by central differences over `step` [m];
   /// zero where the differences vanish, as at the centre of a sphere.
   Vec<3> normal(const Vec<3>& x, double step) const;

@@ -19,7 +19,9 @@ SurfaceFace<D> SurfaceFaces<D>::face(const Index<D>& cell) const {
 template <int D>
 void SurfaceFaces<D>::update(const float* open) {
   const auto before = [](const auto& a, const auto& b) { return a.p < b.p; };
-  std::erase_if(faces_, [&](const auto& face) { return open[face.p] >= 1; });
+  if (released_) std::erase_if(faces_, [&](const auto& face) { return open[face.p] >= 1; });
+  released_ = false;
+  if (added_.empty()) return;
   std::sort(added_.begin(), added_.end(), before);
   merged_.resize(faces_.size() + added_.size());
   std::merge(faces_.begin(), faces_.end(), added_.begin(), added_.end(), merged_.begin(), before);

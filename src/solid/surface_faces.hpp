@@ -18,8 +18,7 @@ struct SurfaceFace {
   bool has_edge(int d, int side) const { return (edges >> (2 * d + side) & 1) != 0; }
 };
 
-/// The faces normal to one axis that lie in solids, in the order of memory. Those deep inside may
-/// be left out.
+/// Faces normal to one axis that lie in solids, in the order of memory.
 template <int D>
 class SurfaceFaces {
  public:
@@ -29,6 +28,8 @@ class SurfaceFaces {
   SurfaceFace<D> face(const Index<D>& cell) const;
 
   void clear() { faces_.clear(); }
+  /// Some face has fully opened.
+  void release() { released_ = true; }
   /// A face that has begun to close; takes part from the next update() on.
   void add(const Index<D>& cell) { added_.push_back(face(cell)); }
   /// Takes up what was added and drops faces that are fully open.
@@ -41,6 +42,7 @@ class SurfaceFaces {
   const Grid<D>& grid_;
   int axis_;
   std::vector<SurfaceFace<D>> faces_, added_, merged_;
+  bool released_ = false;
 };
 
 }  // namespace washtub

@@ -76,12 +76,12 @@ Load<D> SurfaceWater<D>::momentum(std::size_t solid, const std::array<Field, D>&
   const auto& pose = mapping_.poses()[solid];
   Load<D> sum;
   for (int c = 0; c < D; ++c)
-    for (const auto& face : mapping_.surface(c)) {
-      if (mapping_.owner(c)[face.p] != solid) continue;
+    mapping_.for_surface(solid, c, [&](const SurfaceFace<D>& face) {
       const double rigid = pose.velocity(in_space<D>(face.x))[c];
-      const double past = mapping_.content(mapping_.open()[c][face.p]) * (u[c][face.p] - rigid);
+      const float open = mapping_.open()[c][face.p];
+      const double past = open > 0 ? mapping_.content(open) * (u[c][face.p] - rigid) : 0;
       sum.add(face.x, body.centre, c, cell_mass_ * (rigid + past));
-    }
+    });
   const double angle = body.drive.angle(mapping_.time()), omega = body.drive.speed(mapping_.time());
   const Vec<2> r = Eigen::Rotation2Dd(angle) * displaced_[solid].first;
   sum.force.template head<2>() -= omega * Vec<2>(-r[1], r[0]);

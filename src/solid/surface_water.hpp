@@ -16,6 +16,7 @@ class SurfaceWater {
   SurfaceWater(const Grid<D>& grid, const DomainMapping<D>& mapping, double density);
 
   /// Of a turning solid [N s], and its moment about the solid's axis [N m s]; this rank's share.
+  /// Closed faces have to go with the solid, see DomainMapping::impose().
   Load<D> momentum(std::size_t solid, const std::array<Field, D>& u) const;
   /// Of the water in faces that are no longer fully open since the last DomainMapping::update(),
   /// less those that are again. The velocity is that before the solids' is imposed.

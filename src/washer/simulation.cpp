@@ -36,7 +36,8 @@ Simulation<D>::Simulation(const Case& whole, const Parallel& parallel, Archive* 
       surface_water_(grid_, mapping_, whole.fluid.density),
       cloth_(build_cloth<D>(whole)),
       impulses_(whole.solids.size()),
-      moments_(whole.solids.size()) {
+      moments_(whole.solids.size()),
+      surface_momenta_(mapping_.solids().size()) {
   start_water();
   if (developed) take_developed(*developed);
   courant_rate_ = start_rate();
@@ -45,6 +46,7 @@ Simulation<D>::Simulation(const Case& whole, const Parallel& parallel, Archive* 
     coupling_.emplace(flow_, cloth_, mapping_, whole.coupling.kernel, build_sides<D>(whole),
                       whole.coupling.scheme, whole.coupling.marker_spacing, &clock_);
   if (coupling_) coupling_->set_gravity(whole.fluid.gravity.template head<D>());
+  find_surface_momenta();
 }
 
 /// The water's velocity at t = 0, and that of the solids on the faces that they close.
@@ -94,6 +96,15 @@ void Simulation<D>::state(Archive& archive) {
   archive.value("caution", caution_);
   archive.value("wanted step", wanted_step_);
   archive.same_length("impulses", impulses_);
+  if (archive.reading()) find_surface_momenta();
+}
+
+/// Moments of momentum of the water at the surfaces of the solids that move, as it is now.
+template <int D>
+void Simulation<D>::find_surface_momenta() {
+  for (std::size_t s = 0; s < surface_momenta_.size(); ++s)
+    if (mapping_.solids()[s].drive.moving())
+      surface_momenta_[s] = surface_water_.momentum(s, flow_.velocity()).torque;
 }
 
 /// Speed and kinetic energy at t = 0.
@@ -175,8 +186,7 @@ void Simulation<D>::move_solids(double dt) {
   const auto& solids = mapping_.solids();
   std::fill(moments_.begin(), moments_.end(), 0);
   for (std::size_t s = 0; s < solids.size(); ++s)
-    if (solids[s].drive.moving())
-      moments_[solids[s].body] += surface_water_.momentum(s, flow_.velocity()).torque;
+    if (solids[s].drive.moving()) moments_[solids[s].body] += surface_momenta_[s];
   const auto change = mapping_.update(last_.time + dt);
   last_.flips = change.flipped;
   const auto [k0, k1] = mapping_.moving_planes();
@@ -245,11 +255,12 @@ WaterState<D> Simulation<D>::water() const {
 template <int D>
 void Simulation<D>::record_impulses(double dt) {
   const auto& solids = mapping_.solids();
+  find_surface_momenta();
   for (std::size_t s = 0; s < solids.size(); ++s) {
     if (!solids[s].drive.moving()) continue;
     double& moment = moments_[solids[s].body];
-    moment += dt * surface_loads<D>(grid_, mapping_, s, water()).total().torque;
-    moment -= surface_water_.momentum(s, flow_.velocity()).torque;
+    moment += dt * surface_torque<D>(grid_, mapping_, s, water());
+    moment -= surface_momenta_[s];
     if (coupling_ && grid_.parallel().root()) moment += dt * coupling_->contact_moment(s);
   }
   grid_.parallel().sum(std::span<double>(moments_));

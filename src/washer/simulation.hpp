@@ -86,6 +86,7 @@ class Simulation {
   double start_step() const;
   double choose_step(double latest);
   int most_cycles() const;
+  void find_surface_momenta();
   void move_solids(double dt);
   void move_cloth_and_water(double dt, bool measure_slip);
   void record_impulses(double dt);
@@ -104,9 +105,10 @@ class Simulation {
   double courant_rate_ = 0;  ///< largest sum over axes of |u| / h [1/s]
   double slip_factor_ = 1, caution_ = 1;
   double driving_speed_ = 0;
-  double wanted_step_ = 0;         ///< before it was cut to meet the sample [s]
-  std::vector<Impulse> impulses_;  ///< on all ranks
-  std::vector<double> moments_;    ///< of tau dt of this step, this rank's share [N m s]
+  double wanted_step_ = 0;               ///< before it was cut to meet the sample [s]
+  std::vector<Impulse> impulses_;        ///< on all ranks
+  std::vector<double> moments_;          ///< of tau dt of this step, this rank's share [N m s]
+  std::vector<double> surface_momenta_;  ///< SurfaceWater::momentum() about the axis [N m s]
 };
 
 }  // namespace washtub

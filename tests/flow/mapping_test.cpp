@@ -82,8 +82,8 @@ TEST(Mapping, SkippedFacesAreTheSameAsFreshOnesWhenGradual) {
   expect_followed_as_fresh(Heaviside::gradual());
 }
 
-/// The list of faces in solids has each of them once, in the order of memory, also after faces have
-/// opened and closed: all of the solid that turns, of the others at least those at the water.
+/// The lists of faces in solids have each of them once, also after faces have opened and closed:
+/// all of the solid that turns, of the others at least those at the water.
 void expect_whole_surface(const Heaviside& heaviside) {
   const auto mesh = testing::wash_mesh(24);
   const Grid<3> grid(mesh, Parallel(), granularity(mesh));
@@ -92,14 +92,13 @@ void expect_whole_surface(const Heaviside& heaviside) {
   const auto& block = grid.block();
   for (int d = 0; d < 3; ++d) {
     const float* open = mapping.open()[d];
-    std::vector<bool> listed(static_cast<std::size_t>(block.size));
-    long last = -1;
-    for (const auto& face : mapping.surface(d)) {
-      EXPECT_GT(face.p, last);
-      last = face.p;
-      listed[static_cast<std::size_t>(face.p)] = true;
-      EXPECT_LT(open[face.p], 1);
-    }
+    std::vector<int> listed(static_cast<std::size_t>(block.size));
+    for (int solid = 0; solid < 2; ++solid)
+      mapping.for_surface(solid, d, [&](const SurfaceFace<3>& face) {
+        EXPECT_EQ(mapping.owner(d)[face.p], solid);
+        EXPECT_EQ(++listed[static_cast<std::size_t>(face.p)], 1);
+        EXPECT_LT(open[face.p], 1);
+      });
     for (int k = 0; k < block.planes(); ++k)
       for (int j = 0; j < block.rows(); ++j)
         for (int i = 0; i < block.width(); ++i) {
@@ -108,7 +107,7 @@ void expect_whole_surface(const Heaviside& heaviside) {
           for (const long s : block.stride) at_water |= open[p - s] >= 1 || open[p + s] >= 1;
           const int owner = mapping.owner(d)[p];
           if (open[p] < 1 && (owner == 1 || (owner == 0 && at_water))) {
-            EXPECT_TRUE(listed[static_cast<std::size_t>(p)])
+            EXPECT_EQ(listed[static_cast<std::size_t>(p)], 1)
                 << d << ": " << i << " " << j << " " << k;
           }
         }

@@ -104,9 +104,7 @@ void Multigrid<D>::update(int k0, int k1) {
       k1 = c.block.planes();
       for (int d = 0; d < D; ++d) gather_->all(coarse_open_[l][d].data(), c.block);
     }
-    std::array<float*, D> arrays;
-    for (int d = 0; d < D; ++d) arrays[d] = coarse_open_[l][d].data();
-    c.halo.exchange(std::span<float* const>(arrays));
+    c.halo.exchange(coarse_open_[l]);
     finish(c, k0 - 1, k1);
   }
 }
