@@ -72,7 +72,6 @@ Grid<D>::Grid(const Mesh<D>& mesh, const Parallel& parallel, const Granularity<D
 
 template <int D>
 Grid<D>::~Grid() {
-  halo_ = Halo<D>();
   if (comm_ != MPI_COMM_NULL) MPI_Comm_free(&comm_);
 }
 

@@ -1,8 +1,7 @@
 #include "grid/halo.hpp"
 
 #include <algorithm>
-#include <utility>
-#include <vector>
+#include <cstring>
 
 namespace washtub {
 namespace {
@@ -35,39 +34,8 @@ template <int D>
 Halo<D>::Halo(MPI_Comm comm, const Block<D>& block, bool periodic_x)
     : comm_(comm), block_(block), width_(block.width()), periodic_x_(periodic_x) {
   MPI_Comm_rank(comm, &rank_);
-  for (int axis = 1; axis < D; ++axis) {
+  for (int axis = 1; axis < D; ++axis)
     MPI_Cart_shift(comm, axis - 1, 1, &neighbour_[axis][0], &neighbour_[axis][1]);
-    const auto s = slab(block_, axis);
-    const std::array<MPI_Datatype, 3> values{MPI_FLOAT, MPI_DOUBLE, MPI_UINT8_T};
-    for (std::size_t type = 0; type < values.size(); ++type) {
-      MPI_Type_vector(s.runs, s.length, s.stride, values[type], &slab_[type][axis]);
-      MPI_Type_commit(&slab_[type][axis]);
-    }
-  }
-}
-
-template <int D>
-Halo<D>::~Halo() {
-  if (comm_ == MPI_COMM_NULL) return;
-  for (auto& types : slab_)
-    for (int axis = 1; axis < D; ++axis) MPI_Type_free(&types[axis]);
-}
-
-template <int D>
-Halo<D>::Halo(Halo&& other) noexcept {
-  *this = std::move(other);
-}
-
-template <int D>
-Halo<D>& Halo<D>::operator=(Halo&& other) noexcept {
-  std::swap(comm_, other.comm_);
-  std::swap(block_, other.block_);
-  std::swap(width_, other.width_);
-  std::swap(rank_, other.rank_);
-  std::swap(periodic_x_, other.periodic_x_);
-  std::swap(neighbour_, other.neighbour_);
-  std::swap(slab_, other.slab_);
-  return *this;
 }
 
 template <int D>
@@ -82,30 +50,55 @@ void Halo<D>::copy_axis(T* array, int axis) const {
   }
 }
 
+/// Calls visit(array, start of a run) for the runs of a layer of all arrays, in the order of the
+/// message.
+template <int D>
+template <class T, class Visit>
+void Halo<D>::for_runs(std::span<T* const> arrays, int axis, int c, Visit&& visit) const {
+  const auto s = slab(block_, axis);
+  for (T* a : arrays)
+    for (int r = 0; r < s.runs; ++r)
+      visit(a + layer(block_, axis, c) + static_cast<long>(r) * s.stride, s.length);
+}
+
+/// One message each way to either neighbour, with the layers of all arrays.
 template <int D>
 template <class T>
-void Halo<D>::exchange_axis(std::span<T* const> arrays, int axis, int type) const {
-  const auto [below, above] = neighbour_[axis];
-  const int n = block_.count[axis];
-  const MPI_Datatype slab_type = slab_[type][axis];
-  constexpr std::size_t most = 4;  // arrays at a time
-  std::array<MPI_Request, 4 * most> requests;
-  for (; arrays.size() > most; arrays = arrays.subspan(most))
-    exchange_axis(arrays.first(most), axis, type);
-  int count = 0;
-  for (T* a : arrays) {
-    const int tag = 4 * axis;
-    MPI_Irecv(a + layer(block_, axis, -1), 1, slab_type, below, tag, comm_, &requests[count++]);
-    MPI_Irecv(a + layer(block_, axis, n), 1, slab_type, above, tag + 1, comm_, &requests[count++]);
-    MPI_Isend(a + layer(block_, axis, n - 1), 1, slab_type, above, tag, comm_, &requests[count++]);
-    MPI_Isend(a + layer(block_, axis, 0), 1, slab_type, below, tag + 1, comm_, &requests[count++]);
+void Halo<D>::exchange_axis(std::span<T* const> arrays, int axis) const {
+  const auto s = slab(block_, axis);
+  const std::size_t bytes = arrays.size() * sizeof(T) * static_cast<std::size_t>(s.runs * s.length);
+  const int last = block_.count[axis] - 1;
+  std::array<MPI_Request, 4> requests;
+  for (int side = 0; side < 2; ++side) {
+    outbox_[side].resize(std::max(outbox_[side].size(), bytes));
+    inbox_[side].resize(outbox_[side].size());
+    MPI_Irecv(inbox_[side].data(), static_cast<int>(bytes), MPI_BYTE, neighbour_[axis][side],
+              1 - side, comm_, &requests[side]);
   }
-  MPI_Waitall(count, requests.data(), MPI_STATUSES_IGNORE);
+  for (int side = 0; side < 2; ++side) {
+    std::byte* to = outbox_[side].data();
+    if (neighbour_[axis][side] != MPI_PROC_NULL)
+      for_runs(arrays, axis, side == 0 ? 0 : last, [&](const T* from, int n) {
+        std::memcpy(to, from, sizeof(T) * n);
+        to += sizeof(T) * n;
+      });
+    MPI_Isend(outbox_[side].data(), static_cast<int>(bytes), MPI_BYTE, neighbour_[axis][side], side,
+              comm_, &requests[2 + side]);
+  }
+  MPI_Waitall(4, requests.data(), MPI_STATUSES_IGNORE);
+  for (int side = 0; side < 2; ++side) {
+    if (neighbour_[axis][side] == MPI_PROC_NULL) continue;
+    const std::byte* from = inbox_[side].data();
+    for_runs(arrays, axis, side == 0 ? -1 : last + 1, [&](T* to, int n) {
+      std::memcpy(to, from, sizeof(T) * n);
+      from += sizeof(T) * n;
+    });
+  }
 }
 
 template <int D>
 template <class T>
-void Halo<D>::run(std::span<T* const> arrays, int type) const {
+void Halo<D>::run(std::span<T* const> arrays) const {
   if (periodic_x_) {  // ghost rows too: those beyond a side of the box belong to nobody else
     const int out = D == 3 ? 1 : 0;
     for (T* a : arrays)
@@ -118,23 +111,23 @@ void Halo<D>::run(std::span<T* const> arrays, int type) const {
     if (below == rank_)
       for (T* a : arrays) copy_axis(a, axis);
     else
-      exchange_axis(arrays, axis, type);
+      exchange_axis(arrays, axis);
   }
 }
 
 template <int D>
 void Halo<D>::exchange(std::span<double* const> arrays) const {
-  run(arrays, 1);
+  run(arrays);
 }
 
 template <int D>
 void Halo<D>::exchange(std::span<float* const> arrays) const {
-  run(arrays, 0);
+  run(arrays);
 }
 
 template <int D>
 void Halo<D>::exchange(std::span<std::uint8_t* const> arrays) const {
-  run(arrays, 2);
+  run(arrays);
 }
 
 template class Halo<2>;

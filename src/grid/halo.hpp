@@ -2,8 +2,10 @@
 #include <mpi.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "grid/block.hpp"
 #include "grid/storage.hpp"
@@ -18,9 +20,6 @@ class Halo {
   Halo() = default;
   /// `comm` is a Cartesian communicator over the axes 1..D-1; axis 0 is never split.
   Halo(MPI_Comm comm, const Block<D>& block, bool periodic_x);
-  ~Halo();
-  Halo(Halo&&) noexcept;
-  Halo& operator=(Halo&&) noexcept;
 
   /// Exchanges several arrays of the block in one round per axis; edges and corners included.
   void exchange(std::span<double* const> arrays) const;
@@ -50,9 +49,11 @@ class Halo {
 
  private:
   template <class T>
-  void run(std::span<T* const> arrays, int type) const;
+  void run(std::span<T* const> arrays) const;
   template <class T>
-  void exchange_axis(std::span<T* const> arrays, int axis, int type) const;
+  void exchange_axis(std::span<T* const> arrays, int axis) const;
+  template <class T, class Visit>
+  void for_runs(std::span<T* const> arrays, int axis, int c, Visit&& visit) const;
   template <class T>
   void copy_axis(T* array, int axis) const;
 
@@ -61,7 +62,7 @@ class Halo {
   int width_ = 0, rank_ = 0;
   bool periodic_x_ = false;
   std::array<std::array<int, 2>, D> neighbour_{};
-  std::array<std::array<MPI_Datatype, D>, 3> slab_{};  ///< [float, double, byte][axis]
+  mutable std::array<std::vector<std::byte>, 2> inbox_, outbox_;  ///< to and from either side
 };
 
 }  // namespace washtub

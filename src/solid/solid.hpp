@@ -12,7 +12,7 @@ class SolidPose {
  public:
   SolidPose(const Shape& shape, const Vec<3>& centre, double angle, double speed);
 
-  double psi(const Vec<3>& x) const;       ///< signed distance [m], > 0 inside
+  double psi(const Vec<3>& x) const;  ///< signed distance [m], > 0 inside
   /// Of the solid's matter at x [m/s].
   Vec<3> velocity(const Vec<3>& x) const {
     return {-speed_ * (x[1] - centre_[1]), speed_ * (x[0] - centre_[0]), 0.0};

@@ -8,10 +8,10 @@ namespace washtub {
 namespace {
 
 template <int D, class Visit>
-void for_live_cells(const Level<D, double>& l, Visit&& visit) {
+void for_live_cells(const Level<D>& l, Visit&& visit) {
   for (int k = 0; k < l.block.planes(); ++k)
     for (int j = 0; j < l.block.rows(); ++j) {
-      const LevelRow<D, double> row(l, j, k);
+      const auto row = row_of(l, j, k);
       for (int i = row.begin; i < row.end; ++i)
         if (l.inverse_diagonal[row.p + i] > 0) visit(row.p + i, j, k, i);
     }
@@ -19,7 +19,7 @@ void for_live_cells(const Level<D, double>& l, Visit&& visit) {
 
 /// Smallest label among a cell and its open neighbours.
 template <int D>
-double neighbour_label(const Level<D, double>& l, const Storage<double>& label, long p) {
+double neighbour_label(const Level<D>& l, const Storage<double>& label, long p) {
   double least = label[p];
   for (int d = 0; d < D; ++d) {
     const long s = l.block.stride[d];
@@ -31,7 +31,7 @@ double neighbour_label(const Level<D, double>& l, const Storage<double>& label, 
 
 /// Labels every live cell with the smallest cell number of its region.
 template <int D>
-Storage<double> label_components(const Grid<D>& grid, const Level<D, double>& l) {
+Storage<double> label_components(const Grid<D>& grid, const Level<D>& l) {
   Storage<double> label = grid.make_field();
   const auto& n = grid.mesh().cells;
   for_live_cells(l, [&](long p, int j, int k, int i) {
@@ -81,22 +81,23 @@ void merge(const Parallel& parallel, std::map<double, Sum>& sums) {
 }  // namespace
 
 template <int D>
-void remove_component_means(const Grid<D>& grid, Level<D, double>& level) {
+void remove_component_means(const Grid<D>& grid, Problem<D>& problem) {
+  const Level<D>& level = problem.level;
   const auto label = label_components(grid, level);
   std::map<double, Sum> sums;
   for_live_cells(level, [&](long p, int, int, int) {
     auto& s = sums[label[p]];
-    s.source += level.b[p];
+    s.source += problem.b[p];
     s.cells += 1;
   });
   merge(grid.parallel(), sums);
   for_live_cells(level, [&](long p, int, int, int) {
     const auto& s = sums[label[p]];
-    level.b[p] -= s.source / s.cells;
+    problem.b[p] -= s.source / s.cells;
   });
 }
 
-template void remove_component_means<2>(const Grid<2>&, Level<2, double>&);
-template void remove_component_means<3>(const Grid<3>&, Level<3, double>&);
+template void remove_component_means<2>(const Grid<2>&, Problem<2>&);
+template void remove_component_means<3>(const Grid<3>&, Problem<3>&);
 
 }  // namespace washtub

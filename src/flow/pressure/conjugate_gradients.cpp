@@ -17,26 +17,26 @@ void set_residual(SolveReport& report, const Parallel& parallel, const ResidualS
 }
 
 template <int D>
-ConjugateGradients<D>::ConjugateGradients(const Grid<D>& grid, Level<D, double>& level)
-    : grid_(grid), level_(level) {}
+ConjugateGradients<D>::ConjugateGradients(const Grid<D>& grid, Problem<D>& problem)
+    : grid_(grid), problem_(problem) {}
 
 template <int D>
 template <class Visit>
 void ConjugateGradients<D>::for_rows(Visit&& visit) const {
-  for (int k = 0; k < level_.block.planes(); ++k)
-    for (int j = 0; j < level_.block.rows(); ++j) visit(LevelRow<D, double>(level_, j, k));
+  for (int k = 0; k < problem_.level.block.planes(); ++k)
+    for (int j = 0; j < problem_.level.block.rows(); ++j) visit(row_of(problem_, j, k));
 }
 
 /// out = A in.
 template <int D>
 void ConjugateGradients<D>::apply(const double* in, double* out) {
-  level_.x.swap(aside_);
-  std::copy_n(in, level_.x.size(), level_.x.data());
-  level_.halo.exchange(level_.x.data());
+  problem_.x.swap(aside_);
+  std::copy_n(in, problem_.x.size(), problem_.x.data());
+  problem_.level.halo.exchange(problem_.x.data());
   for_rows([&](const LevelRow<D, double>& row) {
     for (int i = row.begin; i < row.end; ++i) out[row.p + i] = row.b[i] - row.residual(i);
   });
-  level_.x.swap(aside_);
+  problem_.x.swap(aside_);
 }
 
 template <int D>
@@ -57,13 +57,13 @@ ResidualSize ConjugateGradients<D>::residual_size() const {
   return size;
 }
 
-/// One step along the preconditioned residual level.x, made conjugate to the step before, whose
+/// One step along the preconditioned residual problem.x, made conjugate to the step before, whose
 /// curvature is given; false if there is nowhere to go.
 template <int D>
 bool ConjugateGradients<D>::improve(double& curvature) {
-  const auto n = static_cast<long>(level_.x.size());
-  const double* z = level_.x.data();
-  double* r = level_.b.data();
+  const auto n = static_cast<long>(problem_.x.size());
+  const double* z = problem_.x.data();
+  double* r = problem_.b.data();
   const double beta = curvature > 0 ? -dot(z, image_.data()) / curvature : 0;
   for (long i = 0; i < n; ++i) direction_[i] = z[i] + beta * direction_[i];
   apply(direction_.data(), image_.data());
@@ -81,13 +81,13 @@ template <int D>
 SolveReport ConjugateGradients<D>::solve(const std::function<void()>& cycle,
                                          const Tolerance& tolerance, SolveReport report,
                                          int max_cycles, double cells) {
-  const auto n = level_.x.size();
+  const auto n = problem_.x.size();
   for (auto* a : {&solution_, &direction_, &image_, &aside_})
     if (a->size() == 0) *a = Storage<double>(n);
-  remove_component_means(grid_, level_);
-  std::copy_n(level_.x.data(), n, solution_.data());
+  remove_component_means(grid_, problem_);
+  std::copy_n(problem_.x.data(), n, solution_.data());
   apply(solution_.data(), image_.data());
-  double* r = level_.b.data();  // from here on the right-hand side of the cycle is the residual
+  double* r = problem_.b.data();  // from here on the right-hand side of the cycle is the residual
   for (long i = 0; i < static_cast<long>(n); ++i) r[i] -= image_[i];
   double curvature = 0;
   const auto& parallel = grid_.parallel();
@@ -98,8 +98,8 @@ SolveReport ConjugateGradients<D>::solve(const std::function<void()>& cycle,
     ++report.cycles;
     set_residual(report, parallel, residual_size(), cells);
   }
-  std::copy_n(solution_.data(), n, level_.x.data());
-  level_.halo.exchange(level_.x.data());
+  std::copy_n(solution_.data(), n, problem_.x.data());
+  problem_.level.halo.exchange(problem_.x.data());
   report.converged = tolerance.met(report);
   return report;
 }

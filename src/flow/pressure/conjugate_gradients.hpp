@@ -30,16 +30,16 @@ struct Tolerance {
 void set_residual(SolveReport& report, const Parallel& parallel, const ResidualSize& size,
                   double cells);
 
-/// Flexible conjugate gradients for the finest level of a multigrid, with its cycle as
+/// Flexible conjugate gradients for the problem of a multigrid, with its cycle as
 /// preconditioner. Takes memory for its four fields when first needed.
 template <int D>
 class ConjugateGradients {
  public:
-  ConjugateGradients(const Grid<D>& grid, Level<D, double>& level);
+  ConjugateGradients(const Grid<D>& grid, Problem<D>& problem);
 
-  /// Improves level.x until the residual is within `tolerance`; level.b is lost. The source of
-  /// every closed pocket of fluid is made compatible first (its mean taken out), since no pressure
-  /// can balance it. On return the ghosts of x are current.
+  /// Improves the problem's x until the residual is within `tolerance`; its b is lost. The source
+  /// of every closed pocket of fluid is made compatible first (its mean taken out), since no
+  /// pressure can balance it. On return the ghosts of x are current.
   /// @param cycle   x = approximately A^-1 b
   /// @param report  of the cycles so far, which count
   /// @param cells   live ones of this rank
@@ -55,7 +55,7 @@ class ConjugateGradients {
   bool improve(double& curvature);
 
   const Grid<D>& grid_;
-  Level<D, double>& level_;
+  Problem<D>& problem_;
   Storage<double> solution_, direction_, image_, aside_;
 };
 

@@ -9,22 +9,23 @@
 namespace washtub {
 
 /// One level of the masked Poisson problem  sum_faces g phi (x - x_neighbour) = b : the unknowns,
-/// the open fraction phi of each face (0 closed, 1 open) and where in each row cells are live.
-template <int D, class T>
+/// the open fraction phi of each face (0 closed, 1 open) and where in each row cells are live. In
+/// single precision, for corrections.
+template <int D>
 struct Level {
   Block<D> block;
   Halo<D> halo;
-  Index<D> factor{};   ///< cells of the finer level per cell of this one
-  Index<D> place{};    ///< where this rank's part starts (gathered levels), else 0
-  Index<D> clash{};    ///< cells of the whole axis where its first and last are neighbours of one
-                       ///< colour (periodic, odd), else 0
-  std::array<T, D> g;  ///< 1/(rho h^2) along each axis
-  Storage<T> x, b;
-  std::array<const float*, D> open;      ///< open fraction of the lower faces of each axis
-  Storage<float> inverse_diagonal;       ///< 0 in dead cells
-  std::vector<int> begin, end;           ///< live range of each row
-  std::array<std::vector<T>, 2> colour;  ///< 1 on the cells of a colour, else 0
-  mutable std::vector<T> row_buffer;
+  Index<D> factor{};  ///< cells of the finer level per cell of this one
+  Index<D> place{};   ///< where this rank's part starts (gathered levels), else 0
+  Index<D> clash{};   ///< cells of the whole axis where its first and last are neighbours of one
+                      ///< colour (periodic, odd), else 0
+  std::array<float, D> g;  ///< 1/(rho h^2) along each axis
+  Storage<float> x, b;
+  std::array<const float*, D> open;          ///< open fraction of the lower faces of each axis
+  Storage<float> inverse_diagonal;           ///< 0 in dead cells
+  std::vector<int> begin, end;               ///< live range of each row
+  std::array<std::vector<float>, 2> colour;  ///< 1 on the cells of a colour, else 0
+  mutable std::vector<float> row_buffer;
 
   /// @param cells     of the whole level
   /// @param periodic  axes along which the box repeats
@@ -33,21 +34,29 @@ struct Level {
     block = block_;
     for (int d = 0; d < D; ++d) clash[d] = periodic[d] && cells[d] % 2 == 1 ? cells[d] : 0;
     const auto n = static_cast<std::size_t>(block.size);
-    x = Storage<T>(n);
-    b = Storage<T>(n);
+    x = Storage<float>(n);
+    b = Storage<float>(n);
     inverse_diagonal = Storage<float>(n);
     begin.assign(static_cast<std::size_t>(block.rows() * block.planes()), 0);
     end = begin;
     for (int c = 0; c < 2; ++c) {
       colour[c].resize(static_cast<std::size_t>(block.width()) + 16);
       for (std::size_t i = 0; i < colour[c].size(); ++i)
-        colour[c][i] = static_cast<T>(static_cast<int>(i & 1) == c);
+        colour[c][i] = static_cast<int>(i & 1) == c ? 1.0F : 0.0F;
     }
     row_buffer.resize(static_cast<std::size_t>(block.width()) + 16);
   }
 };
 
-/// One row of a level, ready for the inner loops.
+/// The problem to be solved, on the cells of the finest level and in double precision.
+template <int D>
+struct Problem {
+  const Level<D>& level;
+  std::array<double, D> g;  ///< 1/(rho h^2) along each axis
+  Storage<double> x, b;
+};
+
+/// One row of a level or of the problem, ready for the inner loops.
 template <int D, class T>
 struct LevelRow {
   long p;
@@ -57,13 +66,15 @@ struct LevelRow {
   std::array<long, D> s;
   std::array<T, D> g;
 
-  LevelRow(const Level<D, T>& l, int j, int k) : s(l.block.stride), g(l.g) {
+  /// @param of  has the values
+  template <class Of>
+  LevelRow(const Level<D>& l, const Of& of, int j, int k) : s(l.block.stride), g(of.g) {
     const auto r = static_cast<std::size_t>(l.block.row_index(j, k));
     begin = l.begin[r];
     end = l.end[r];
     p = l.block.row(j, k);
-    x = l.x.data() + p;
-    b = l.b.data() + p;
+    x = of.x.data() + p;
+    b = of.b.data() + p;
     for (int d = 0; d < D; ++d) open[d] = l.open[d] + p;
   }
   template <int d>
@@ -81,19 +92,28 @@ struct LevelRow {
   }
 };
 
+template <int D>
+LevelRow<D, float> row_of(const Level<D>& l, int j, int k) {
+  return {l, l, j, k};
+}
+template <int D>
+LevelRow<D, double> row_of(const Problem<D>& p, int j, int k) {
+  return {p.level, p, j, k};
+}
+
 /// Over-relaxed Gauss-Seidel on the cells of one colour of a row. In difference form: single
 /// precision coefficients would otherwise bound the accuracy. The update goes through a buffer
 /// because an in-place one does not vectorise.
-template <int D, class T>
-void relax_row(Level<D, T>& l, int j, int k, int colour, T omega) {
-  const LevelRow<D, T> row(l, j, k);
-  T* __restrict__ fresh = l.row_buffer.data();
-  T* x = l.x.data() + row.p;
+template <int D>
+void relax_row(Level<D>& l, int j, int k, int colour, float omega) {
+  const auto row = row_of(l, j, k);
+  float* __restrict__ fresh = l.row_buffer.data();
+  float* x = l.x.data() + row.p;
   const float* id = l.inverse_diagonal.data() + row.p;
-  const T* on = l.colour[(l.block.parity(j, k) + colour) & 1].data();
+  const float* on = l.colour[(l.block.parity(j, k) + colour) & 1].data();
 #pragma omp simd
   for (int i = row.begin; i < row.end; ++i)
-    fresh[i] = row.x[i] + omega * on[i] * static_cast<T>(id[i]) * row.residual(i);
+    fresh[i] = row.x[i] + omega * on[i] * id[i] * row.residual(i);
 #pragma omp simd
   for (int i = row.begin; i < row.end; ++i) x[i] = fresh[i];
 }
@@ -108,34 +128,45 @@ struct ResidualSize {
   }
 };
 
-/// Adds the residual of a row to `sum` and returns its size.
-template <int D, class T>
-ResidualSize residual_row(const Level<D, T>& l, int j, int k, float* __restrict__ sum) {
-  const LevelRow<D, T> row(l, j, k);
-  T largest = 0, squares = 0;
+/// Adds the residual of a row to `sum`.
+template <int D>
+void residual_row(const Level<D>& l, int j, int k, float* __restrict__ sum) {
+  const auto row = row_of(l, j, k);
+#pragma omp simd
+  for (int i = row.begin; i < row.end; ++i) sum[i] += row.residual(i);
+}
+
+/// The same for the problem; the residual is also the right-hand side b of its correction.
+/// Returns its size.
+template <int D>
+ResidualSize residual_row(const Problem<D>& problem, int j, int k, float* __restrict__ b,
+                          float* __restrict__ sum) {
+  const auto row = row_of(problem, j, k);
+  double largest = 0, squares = 0;
 #pragma omp simd reduction(max : largest) reduction(+ : squares)
   for (int i = row.begin; i < row.end; ++i) {
-    const T r = row.residual(i);
+    const double r = row.residual(i);
+    b[i] = static_cast<float>(r);
     sum[i] += static_cast<float>(r);
     largest = std::max(largest, std::abs(r));
     squares += r * r;
   }
-  return {static_cast<double>(largest), static_cast<double>(squares)};
+  return {largest, squares};
 }
 
 /// Adds the right-hand side of a row to `sum`.
-template <int D, class T>
-void source_row(const Level<D, T>& l, int j, int k, float* __restrict__ sum) {
-  const LevelRow<D, T> row(l, j, k);
+template <int D>
+void source_row(const Level<D>& l, int j, int k, float* __restrict__ sum) {
+  const auto row = row_of(l, j, k);
 #pragma omp simd
-  for (int i = row.begin; i < row.end; ++i) sum[i] += static_cast<float>(row.b[i]);
+  for (int i = row.begin; i < row.end; ++i) sum[i] += row.b[i];
 }
 
 /// Interpolates the coarse correction to a fine row: the parent's value plus a quarter of the
 /// difference to the neighbour on the child's side, weighted with the open fraction of the coarse
 /// face between them, so that nothing passes through closed faces. Dead cells stay zero.
-template <bool add, int D, class T>
-void prolong_row(Level<D, T>& l, const Level<D, float>& coarse, int j, int k) {
+template <bool add, int D>
+void prolong_row(Level<D>& l, const Level<D>& coarse, int j, int k) {
   const auto r = static_cast<std::size_t>(l.block.row_index(j, k));
   const int begin = l.begin[r], end = l.end[r];
   if (begin >= end) return;
@@ -144,7 +175,7 @@ void prolong_row(Level<D, T>& l, const Level<D, float>& coarse, int j, int k) {
   const int K = k / plane_factor + coarse.place[D - 1];
   const long q = coarse.block.row(J, K);
   const float* c = coarse.x.data() + q;
-  T* __restrict__ o = l.x.data() + l.block.row(j, k);
+  float* __restrict__ o = l.x.data() + l.block.row(j, k);
 
   const auto side = [&](int d, int child) {  // offset of the neighbour and its face
     const long s = coarse.block.stride[d];
@@ -164,7 +195,7 @@ void prolong_row(Level<D, T>& l, const Level<D, float>& coarse, int j, int k) {
   };
   const float* live = l.inverse_diagonal.data() + l.block.row(j, k);
   const auto put = [&](int i, float v) {
-    const T correction = live[i] > 0 ? static_cast<T>(v) : T{0};
+    const float correction = live[i] > 0 ? v : 0.0F;
     o[i] = add ? o[i] + correction : correction;
   };
   if (coarse.factor[0] == 1) {
@@ -185,15 +216,15 @@ void prolong_row(Level<D, T>& l, const Level<D, float>& coarse, int j, int k) {
 inline constexpr float clash_weight = 1.2F;
 
 /// Inverse diagonal and live range of a row from its open fractions.
-template <int D, class T>
-void finish_row(Level<D, T>& l, int j, int k) {
+template <int D>
+void finish_row(Level<D>& l, int j, int k) {
   const long p = l.block.row(j, k);
   const int n = l.block.width();
   float* __restrict__ id = l.inverse_diagonal.data() + p;
   const Index<D> cell = l.block.row_cell(j, k);
   std::array<float, D> lower, upper;
   for (int d = 0; d < D; ++d) {
-    lower[d] = upper[d] = static_cast<float>(l.g[d]);
+    lower[d] = upper[d] = l.g[d];
     if (d == 0 || l.clash[d] == 0) continue;
     if (cell[d] == 0) lower[d] *= clash_weight;
     if (cell[d] == l.clash[d] - 1) upper[d] *= clash_weight;

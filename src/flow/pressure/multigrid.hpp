@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <span>
@@ -19,8 +20,9 @@ struct RowRange {
 /// Geometric multigrid for the pressure of a partly solid box,
 ///   sum over faces of  phi (p - p_neighbour) / (rho h^2)  =  b ,
 /// with phi the open fraction of each face: closed faces carry no pressure gradient, Eq. (9) in the
-/// sharp limit. Stationary F-cycles are the solver; where pockets of fluid make them stall,
-/// flexible conjugate gradients take over with the cycle as preconditioner.
+/// sharp limit. The residual is taken in double precision, its correction by an F-cycle in single
+/// precision; where pockets of fluid make these stall, flexible conjugate gradients take over with
+/// the cycle as preconditioner.
 template <int D>
 class Multigrid {
  public:
@@ -31,49 +33,60 @@ class Multigrid {
 
   /// Takes up changed open fractions of the planes [k0, k1) of this rank (collective).
   void update(int k0, int k1);
-  void update() { update(0, finest_.block.planes()); }
+  void update() { update(0, levels_.front().block.planes()); }
 
-  Storage<double>& pressure() { return finest_.x; }
-  const Storage<double>& pressure() const { return finest_.x; }
-  Storage<double>& source() { return finest_.b; }
+  Storage<double>& pressure() { return problem_.x; }
+  const Storage<double>& pressure() const { return problem_.x; }
+  Storage<double>& source() { return problem_.b; }
   /// Live range of row (j, k); outside it every cell is solid.
   RowRange live(int j, int k) const {
-    const auto r = static_cast<std::size_t>(finest_.block.row_index(j, k));
-    return {finest_.begin[r], finest_.end[r]};
+    const auto& finest = levels_.front();
+    const auto r = static_cast<std::size_t>(finest.block.row_index(j, k));
+    return {finest.begin[r], finest.end[r]};
   }
   /// Zeroes a field outside the live ranges of the planes [k0, k1).
-  void clear_solid(Field& field, int k0, int k1) const;
-  const float* inverse_diagonal() const { return finest_.inverse_diagonal.data(); }
+  template <class T>
+  void clear_solid(Storage<T>& field, int k0, int k1) const {
+    const auto& block = grid_.block();
+    for (int k = k0; k < k1; ++k)
+      for (int j = 0; j < block.rows(); ++j) {
+        const auto [begin, end] = live(j, k);
+        T* row = field.data() + block.row(j, k);
+        std::fill_n(row, begin, T{0});
+        std::fill(row + end, row + block.width(), T{0});
+      }
+  }
+  const float* inverse_diagonal() const { return levels_.front().inverse_diagonal.data(); }
 
   /// Improves pressure() until the residual is within `tolerance`.
   /// On return the ghosts of the pressure are current.
   SolveReport solve(const Tolerance& tolerance, int max_cycles);
 
  private:
-  enum class Start { keep, set, add };
+  enum class Start { set, add };
+  enum class Cycle { full, simple };
 
   Block<D> coarse_block(std::size_t l, const Coarsening<D>& level, const Block<D>& finer);
   void make_level(std::size_t l, const Coarsening<D>& level, const Block<D>& block, double density);
-  template <class T>
-  ResidualSize smooth(Level<D, T>& fine, std::size_t coarse, Start start, int sweeps,
-                      bool residual);
-  template <class T>
-  ResidualSize restrict_plane(const Level<D, T>& fine, Level<D, float>& coarse, int K, bool source);
-  template <class T>
-  void restrict_source(const Level<D, T>& fine, std::size_t coarse);
-  enum class Cycle { full, simple };
-  void solve_level(std::size_t l, Cycle cycle);
-  void solve_coarsest(Level<D, float>& l);
-  template <class T>
-  void coarsen_open(const Level<D, T>& fine, std::size_t coarse, int K0, int K1);
+  void coarsen_open(std::size_t l, int K0, int K1);
+  template <class AddRow>
+  void restrict_plane(std::size_t l, int K, AddRow&& add_row);
+  void restrict_source(std::size_t l);
   void gather_source(std::size_t l);
+  template <class Finish>
+  void smooth(std::size_t l, Start start, int sweeps, Finish&& finish);
+  void solve_coarsest();
+  void solve_level(std::size_t l, Cycle cycle);
+  ResidualSize take_residual(int K);
+  void add_correction(int k);
+  ResidualSize correct();
   void cycle_from_zero();
   void count_live(int k0, int k1);
 
   const Grid<D>& grid_;
-  Level<D, double> finest_;
-  std::vector<Level<D, float>> coarse_;
-  std::vector<std::array<Storage<float>, D>> coarse_open_;
+  std::vector<Level<D>> levels_;  ///< from the finest on
+  Problem<D> problem_;
+  std::vector<std::array<Storage<float>, D>> coarse_open_;  ///< of the levels but the finest
   std::size_t first_gathered_;
   std::unique_ptr<GatherBlocks<D>> gather_;
   std::vector<float> row_sum_;
