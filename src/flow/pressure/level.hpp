@@ -247,7 +247,7 @@ void finish_row(Level<D>& l, int j, int k) {
   while (last > first && id[last - 1] == 0) --last;
   const auto r = static_cast<std::size_t>(l.block.row_index(j, k));
   l.begin[r] = first < last ? first / 16 * 16 : 0;
-  l.end[r] = first < last ? last : 0;
+  l.end[r] = first < last ? std::min((last + 15) / 16 * 16, n) : 0;
 }
 
 }  // namespace washtub
