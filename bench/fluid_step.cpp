@@ -28,6 +28,7 @@ BENCHMARK(fluid_step)
     ->Args({64, 500})
     ->Args({64, 5000})
     ->Args({128, 500})
+    ->Args({128, 5000})
     ->Iterations(150)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);

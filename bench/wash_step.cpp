@@ -32,6 +32,7 @@ BENCHMARK(wash_step)
     ->Args({32, 16})
     ->Args({64, 0})
     ->Args({64, 16})
+    ->Args({128, 16})
     ->Iterations(100)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);

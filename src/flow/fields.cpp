@@ -51,7 +51,7 @@ void FlowFields<D>::to_passage(int j, int k) {
   const int row = grid.block().row_index(j, k);
   for (int c = 0; c < D; ++c) {
     past[c].resize(openings.held[c]->size());
-    openings.held[c]->for_row(row, [&](const HeldFace<D>& face, int n) {
+    openings.held[c]->for_row(row, [&](const HeldFace& face, int n) {
       double& v = u[c][face.p];
       past[c][n] = v - face.wall;
       v = face.wall + face.passage * past[c][n];

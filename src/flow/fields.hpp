@@ -13,7 +13,7 @@ template <int D>
 struct Openings {
   std::array<const float*, D> open;  ///< open fraction of each face, ghosts included
   /// Faces whose velocity is held, in part, to what a wall asks for, along each axis.
-  std::array<const HeldFaces<D>*, D> held{};
+  std::array<const HeldFaces*, D> held{};
 };
 
 /// The water that the parts of a Flow work on: what it is, where it may go, its fields.

@@ -145,7 +145,7 @@ void Prediction<D>::relax_held(int c, int j, int k, const double* x, double diag
   const auto* held = water_.openings.held[c];
   if (!held) return;
   const auto ask = momentum(c, j, k, x);
-  held->for_row(water_.grid.block().row_index(j, k), [&](const HeldFace<D>& face, int) {
+  held->for_row(water_.grid.block().row_index(j, k), [&](const HeldFace& face, int) {
     const double u = x[face.place], to_wall = face.wall - u;
     const double drag = face.drag * wall_diffusion_;
     const double free = (ask(face.place) + drag * to_wall) / (diagonal + drag);

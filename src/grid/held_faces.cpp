@@ -4,8 +4,7 @@
 
 namespace washtub {
 
-template <int D>
-void HeldFaces<D>::update() {
+void HeldFaces::update() {
   if (looked_.empty() && fresh_.empty()) return;
   const auto before = [](const auto& a, const auto& b) { return a.p < b.p; };
   std::sort(looked_.begin(), looked_.end());
@@ -26,8 +25,5 @@ void HeldFaces<D>::update() {
   for (const auto& face : faces_) ++first_[face.row + 1];
   for (std::size_t r = 1; r < first_.size(); ++r) first_[r] += first_[r - 1];
 }
-
-template class HeldFaces<2>;
-template class HeldFaces<3>;
 
 }  // namespace washtub

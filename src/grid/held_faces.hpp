@@ -1,13 +1,10 @@
 #pragma once
-#include <array>
+#include <cstddef>
 #include <vector>
-
-#include "grid/grid.hpp"
 
 namespace washtub {
 
 /// A face whose velocity is held to that of a wall.
-template <int D>
 struct HeldFace {
   long p;              ///< memory position
   int row;             ///< of the block, Block::row_index
@@ -19,14 +16,14 @@ struct HeldFace {
 };
 
 /// The held faces normal to one axis, in the order of memory.
-template <int D>
 class HeldFaces {
  public:
-  explicit HeldFaces(const Block<D>& block) : first_(block.rows() * block.planes() + 1, 0) {}
+  /// @param rows  of the block
+  explicit HeldFaces(int rows) : first_(static_cast<std::size_t>(rows) + 1, 0) {}
 
   /// A face that is looked at again; it takes part from the next update() on if it is held still.
   void look(long p) { looked_.push_back(p); }
-  void hold(const HeldFace<D>& face) { fresh_.push_back(face); }
+  void hold(const HeldFace& face) { fresh_.push_back(face); }
   void clear() { faces_.clear(); }
   /// Takes up what was looked at and held since the last time.
   void update();
@@ -41,7 +38,7 @@ class HeldFaces {
   auto end() const { return faces_.end(); }
 
  private:
-  std::vector<HeldFace<D>> faces_, fresh_, merged_;
+  std::vector<HeldFace> faces_, fresh_, merged_;
   std::vector<long> looked_;
   std::vector<int> first_;  ///< of each row, and the end of the last
 };

@@ -93,7 +93,7 @@ DomainMapping<D>::DomainMapping(const Grid<D>& grid, std::vector<Solid> solids,
   for (int d = 0; d < D; ++d) {
     swept_.emplace_back(grid, d);
     resting_.emplace_back(grid, d);
-    held_.emplace_back(grid.block());
+    held_.emplace_back(grid.block().rows() * grid.block().planes());
   }
   CellBox<D> whole;
   whole.upper = grid.block().count;
@@ -161,8 +161,8 @@ void DomainMapping<D>::find_surface() {
 }
 
 template <int D>
-std::array<const HeldFaces<D>*, D> DomainMapping<D>::held() const {
-  std::array<const HeldFaces<D>*, D> held;
+std::array<const HeldFaces*, D> DomainMapping<D>::held() const {
+  std::array<const HeldFaces*, D> held;
   for (int d = 0; d < D; ++d) held[d] = &held_[d];
   return held;
 }
@@ -177,7 +177,7 @@ template <int D>
 float DomainMapping<D>::open_fraction(const Vec<3>& x, double psi, int d, const Index<D>& cell,
                                       int owner) {
   if (heaviside_.kind == Heaviside::Kind::sharp) return heaviside_.open_fraction(psi);
-  HeldFace<D> face{};
+  HeldFace face{};
   face.p = grid_.block().at(cell);
   face.row = grid_.block().row_index(D == 3 ? cell[1] : 0, cell[D - 1]);
   face.place = cell[0];
@@ -235,7 +235,8 @@ void DomainMapping<D>::evaluate_row(int d, int j, int k, int i0, int i1, bool al
       const double seen = value + outset(poses_[s], x, value);
       if (seen > largest) largest = seen, owner[i] = static_cast<std::uint8_t>(s);
       if (!solids_[s].drive.moving()) continue;
-      const double lever = std::hypot(x[0] - solids_[s].centre[0], x[1] - solids_[s].centre[1]);
+      const double dx = x[0] - solids_[s].centre[0], dy = x[1] - solids_[s].centre[1];
+      const double lever = std::sqrt(dx * dx + dy * dy);
       const double margin = value > 0 ? value - reach_inside_ : -value - reach_outside_;
       turn = std::min(turn, margin / (lever + 1e-30));
     }

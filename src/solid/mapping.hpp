@@ -59,7 +59,7 @@ class DomainMapping {
   const std::uint8_t* owner(int d) const { return owner_[d].data(); }
   /// Along each axis, the faces whose velocity is held to one that the solids and the water farther
   /// out ask for.
-  std::array<const HeldFaces<D>*, D> held() const;
+  std::array<const HeldFaces*, D> held() const;
   /// Calls visit(face) for the faces of this rank along axis d that a solid closes or narrows,
   /// those deep inside a solid that never moves left out.
   template <class Visit>
@@ -117,7 +117,7 @@ class DomainMapping {
   std::array<Storage<std::uint8_t>, D> owner_;
   std::vector<SurfaceFaces<D>> swept_;    ///< faces in solids where one that moves can come
   std::vector<SurfaceFaces<D>> resting_;  ///< the others, which never change
-  std::vector<HeldFaces<D>> held_;
+  std::vector<HeldFaces> held_;
   /// Where a solid that moves can close faces: within `radius` of its axis, in these cells.
   struct Reach {
     CellBox<D> cells;

@@ -28,7 +28,7 @@ double WallLayer<D>::missing_thickness(const SolidPose& solid, const Vec<3>& x, 
 
 template <int D>
 float WallLayer<D>::close(const SolidPose& solid, const Vec<3>& x, double psi, int d,
-                          HeldFace<D>& face) const {
+                          HeldFace& face) const {
   const auto& h = grid_.mesh().h;
   const Vec<3> n = solid.normal(x, psi, 1e-3 * h.minCoeff());
   double width = 0;

@@ -1,4 +1,5 @@
 #pragma once
+#include "grid/grid.hpp"
 #include "grid/held_faces.hpp"
 #include "solid/solid.hpp"
 
@@ -25,7 +26,7 @@ class WallLayer {
   /// Open fraction of a face in the water; where that is between 0 and 1, `face` is how it is held.
   /// @param x    its centre, where psi of the solid is `psi` < 0
   /// @param d    the axis that it is normal to
-  float close(const SolidPose& solid, const Vec<3>& x, double psi, int d, HeldFace<D>& face) const;
+  float close(const SolidPose& solid, const Vec<3>& x, double psi, int d, HeldFace& face) const;
 
  private:
   double missing_thickness(const SolidPose& solid, const Vec<3>& x, double psi,

@@ -24,9 +24,9 @@ constexpr double value = sizeof(double);
 constexpr double triad_bytes = 3 * value;
 /// Velocity, its last rate of change in and out, u*: three components each.
 constexpr double prediction_bytes = 3 * 4 * value;
-/// Pressure in and out and source in three passes of a cycle, with the open fractions of three
-/// faces and the diagonal in single precision.
-constexpr double cycle_bytes = 3 * (3 * value + 4 * 4);
+/// Pressure in and out and source in double precision; in single precision the residual and the
+/// correction, each in and out, the diagonal, and twice the open fractions of three faces.
+constexpr double cycle_bytes = 3 * value + (2 + 2 + 1 + 2 * 3) * 0.5 * value;
 /// Velocity in and out, force, and source and pressure of a projection.
 constexpr double correction_bytes = (3 * 3 + 2) * value;
 

@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "grid/block.hpp"
+
 namespace washtub {
 namespace {
 
-HeldFace<2> face(const Block<2>& block, int i, int k, double wall) {
-  HeldFace<2> f{};
+HeldFace face(const Block<2>& block, int i, int k, double wall) {
+  HeldFace f{};
   f.p = block.at({i, k});
   f.row = block.row_index(0, k);
   f.place = i;
@@ -15,9 +17,9 @@ HeldFace<2> face(const Block<2>& block, int i, int k, double wall) {
 }
 
 /// Places in a row and velocities of what is held there.
-std::vector<std::pair<int, double>> in_row(const HeldFaces<2>& held, int row) {
+std::vector<std::pair<int, double>> in_row(const HeldFaces& held, int row) {
   std::vector<std::pair<int, double>> found;
-  held.for_row(row, [&](const HeldFace<2>& f, int) { found.emplace_back(f.place, f.wall); });
+  held.for_row(row, [&](const HeldFace& f, int) { found.emplace_back(f.place, f.wall); });
   return found;
 }
 
@@ -25,7 +27,7 @@ std::vector<std::pair<int, double>> in_row(const HeldFaces<2>& held, int row) {
 /// memory, however often a face was looked at.
 TEST(HeldFaces, TakeUpWhatIsLookedAt) {
   const Block<2> block({0, 0}, {8, 4});
-  HeldFaces<2> held(block);
+  HeldFaces held(block.rows() * block.planes());
   held.hold(face(block, 5, 2, 1));
   held.hold(face(block, 2, 1, 2));
   held.hold(face(block, 3, 2, 3));
