@@ -53,6 +53,11 @@ TEST(ChooseRanks, TheLargestPartCountsWhereverItLies) {
   EXPECT_EQ((choose_ranks<3>({40, 39, 39}, {1, 13, 8}, 3)), (Index<3>{1, 3, 1}));
 }
 
+/// About the axis of a tub cloth lies more evenly than along its height.
+TEST(ChooseRanks, CutsAlongYWhereBothAreEqual) {
+  EXPECT_EQ((choose_ranks<3>({64, 64, 64}, {8, 8, 8}, 2)), (Index<3>{1, 2, 1}));
+}
+
 TEST(ChooseRanks, UsesEveryRankAndLeavesRowsWhole) {
   for (int size = 1; size <= 7; ++size) {
     const auto ranks = choose_ranks<3>({64, 64, 64}, {8, 8, 8}, size);
