@@ -23,7 +23,7 @@ struct Level {
   Storage<float> x, b;
   std::array<const float*, D> open;          ///< open fraction of the lower faces of each axis
   Storage<float> inverse_diagonal;           ///< 0 in dead cells
-  std::vector<int> begin, end;               ///< live range of each row
+  std::vector<int> begin, end;               ///< range of each row, outside of it no cell is live
   std::array<std::vector<float>, 2> colour;  ///< 1 on the cells of a colour, else 0
   mutable std::vector<float> row_buffer;
 
@@ -215,7 +215,9 @@ void prolong_row(Level<D>& l, const Level<D>& coarse, int j, int k) {
 /// omega = 1.15 on, the over-relaxation of the sweeps, these converge for any openings.
 inline constexpr float clash_weight = 1.2F;
 
-/// Inverse diagonal and live range of a row from its open fractions.
+/// Inverse diagonal and live range of a row from its open fractions. The range begins and ends on
+/// vector boundaries, or with the row: what is left of a vector costs as much as several whole
+/// ones.
 template <int D>
 void finish_row(Level<D>& l, int j, int k) {
   const long p = l.block.row(j, k);
