@@ -68,7 +68,8 @@ double Projection<D>::mean_around(const Field& pressure, long c) const {
   return weights > 0 ? sum / weights : 0;
 }
 
-/// u += dt/rho f on the open faces of a row.
+/// u += dt/rho f on the open faces of a row. Where a wall lies nearer than a cell, the water
+/// between takes the share of the force that its passage is of the cell; the rest is the wall's.
 template <int D>
 void Projection<D>::add_force_row(int j, int k, double dt, Extremes& largest) {
   const auto range = multigrid_.live(j, k);
@@ -86,6 +87,10 @@ void Projection<D>::add_force_row(int j, int k, double dt, Extremes& largest) {
       u[i] += a * open[i] * f[i];
       fastest = std::max(fastest, std::abs(u[i]));
     }
+    if (const auto* held = water_.openings.held[d])
+      held->for_row(water_.grid.block().row_index(j, k), [&](const HeldFace& face, int) {
+        u[face.place] -= a * (1 - face.passage) * open[face.place] * f[face.place];
+      });
     water_.grid.halo().wrap_row(u);
   }
   largest.speed = std::max(largest.speed, fastest);

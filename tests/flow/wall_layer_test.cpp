@@ -91,5 +91,31 @@ TEST(WallLayer, ThinWallsAreTight) {
     EXPECT_LE(leak(cells / 32), 1e-8) << cells << " cells";
 }
 
+/// A force along a flat wall drives the water between the wall and a face by the share that the
+/// face is open, and all other water in full.
+TEST(WallLayer, TakesItsShareOfAForce) {
+  constexpr double force = 3, dt = 1e-3;
+  WaterSetup<2> setup{.mesh = testing::cubic_mesh<2>(Vec<2>::Zero(), 1, 16),
+                      .solids = {{"floor", half_space(Vec<3>(0, 0.205, 0), Vec<3>(0, 1, 0)),
+                                  Vec<3>::Zero(), at_rest()}},
+                      .density = 2,
+                      .viscosity = 1e-12,
+                      .heaviside = Heaviside::gradual()};
+  setup.mesh.periodic[0] = true;
+  WaterBox<2> box(setup);
+  box.for_open_faces([&](int d, const Vec<2>&, long p) {
+    if (d == 0) box.flow.force()[d][p] = force;
+  });
+  box.step(dt, 1e-12);
+  int partly = 0;
+  box.for_open_faces([&](int d, const Vec<2>&, long p) {
+    if (d != 0) return;
+    const float open = box.mapping.open()[d][p];
+    partly += open < 1;
+    EXPECT_NEAR(box.flow.velocity()[d][p], dt / setup.density * force * open, 1e-9);
+  });
+  EXPECT_GT(box.grid.parallel().sum(partly), 0);
+}
+
 }  // namespace
 }  // namespace washtub
