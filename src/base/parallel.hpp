@@ -1,7 +1,10 @@
 #pragma once
 #include <mpi.h>
 
+#include <numeric>
 #include <span>
+#include <type_traits>
+#include <vector>
 
 namespace washtub {
 
@@ -28,6 +31,25 @@ class Parallel {
     if (size_ > 1)
       MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE,
                     MPI_SUM, comm_);
+  }
+  /// Replaces every entry by its least over the ranks.
+  void min(std::span<double> values) const {
+    if (size_ > 1)
+      MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE,
+                    MPI_MIN, comm_);
+  }
+  /// Replaces a list by those of all ranks, one after the other.
+  template <class T>
+  void gather(std::vector<T>& list) const {
+    static_assert(std::is_trivially_copyable_v<T> || std::is_trivially_destructible_v<T>);
+    const int mine = static_cast<int>(list.size() * sizeof(T));
+    std::vector<int> bytes(static_cast<std::size_t>(size_)), first(bytes.size());
+    MPI_Allgather(&mine, 1, MPI_INT, bytes.data(), 1, MPI_INT, comm_);
+    std::exclusive_scan(bytes.begin(), bytes.end(), first.begin(), 0);
+    std::vector<T> all(static_cast<std::size_t>(first.back() + bytes.back()) / sizeof(T));
+    MPI_Allgatherv(list.data(), mine, MPI_BYTE, all.data(), bytes.data(), first.data(), MPI_BYTE,
+                   comm_);
+    list.swap(all);
   }
 
  private:

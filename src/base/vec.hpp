@@ -8,6 +8,10 @@ namespace washtub {
 template <int D>
 using Vec = Eigen::Matrix<double, D, 1>;
 
+/// A matrix that maps such vectors onto each other [N/m, ...].
+template <int D>
+using Mat = Eigen::Matrix<double, D, D>;
+
 /// Counts or positions along the D axes of a grid.
 template <int D>
 using Index = std::array<int, D>;

@@ -107,6 +107,7 @@ Table<CaseFile> declare() {
       .optional([](const CaseFile& file) { return file.result.exact.has_value(); },
                 [](CaseFile& file) { file.result.exact.emplace(); })
       .table("coupling", part<&Case::coupling>(), coupling_table())
+      .table("contact", part<&Case::contact>(), contact_table())
       .table("time", part<&Case::time>(), time_table())
       .table("solver", part<&Case::solver>(), solver_table())
       .table("output", part<&Case::output>(), output_table())
@@ -114,6 +115,7 @@ Table<CaseFile> declare() {
       .then(set_scales)
       .table("scale", part<&Case::scale>(), scale_table())
       .then(set_times)
+      .then(set_contact)
       .then(fit_output)
       .then(note_jumps);
   return table;

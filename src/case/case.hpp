@@ -7,6 +7,7 @@
 
 #include "base/vec.hpp"
 #include "cloth/material.hpp"
+#include "contact/settings.hpp"
 #include "coupling/kernel.hpp"
 #include "coupling/scheme.hpp"
 #include "solid/drive.hpp"
@@ -64,7 +65,8 @@ struct ClothCase {
   std::array<double, 2> size = {0, 0};  ///< edge lengths (r, s) [m]
   std::array<int, 2> nodes = {0, 0};    ///< nodes along r and s; 0 = from `spacing`
   double spacing = 1.7;                 ///< node spacing in lateral cells, where `nodes` is 0
-  Material material;
+  /// Of wet cloth in general, where nothing else is given.
+  Material material = {.friction = 0.5, .solid_friction = 0.2, .loss_time = 1e-3};
   Arrangement arrangement = Arrangement::book;
   std::uint64_t seed = 1;
   /// book: pages in planes through the axis (reference.md, start of the 3-D wash)
@@ -106,6 +108,14 @@ struct CouplingCase {
   Kernel kernel = Kernel::cosine;
   double marker_spacing = 2;  ///< largest distance between markers, in smallest cell edges
   double strain_limit = 0.2;  ///< |E| of an edge at which the run stops
+};
+
+struct ContactCase {
+  ContactScheme scheme = ContactScheme::layers;
+  double range = 0;          ///< [m]; 0 while it is not known
+  double pressure = -1;      ///< [Pa]; below 0 likewise
+  double gap = 0;            ///< [m]; 0 likewise
+  double solid_time = 6e-3;  ///< [s]
 };
 
 struct TimeCase {
@@ -152,6 +162,7 @@ struct Case {
   std::vector<ProbeCase> probes;
   std::optional<ExactCase> exact;
   CouplingCase coupling;
+  ContactCase contact;
   TimeCase time;
   SolverCase solver;
   OutputCase output;

@@ -33,7 +33,14 @@ void add_material(Table<ClothCase>& table) {
            quantity(measure::areal_mass, at_least(0)), "mass beyond that of the displaced water")
       .key("thickness", material<&Material::thickness>, quantity(measure::length, above(0)),
            "q, by which forces become stresses")
-      .required();
+      .required()
+      .key("loss_time", material<&Material::loss_time>, quantity(measure::time, at_least(0)),
+           "tau of the membrane's stress K (E + tau dE/dt); for coupling.scheme = \"implicit\" "
+           "only")
+      .key("friction", material<&Material::friction>, number(at_least(0)),
+           "Coulomb's coefficient against cloth of its kind; between two kinds the geometric mean")
+      .key("solid_friction", material<&Material::solid_friction>, number(at_least(0)),
+           "Coulomb's coefficient against solids and the sides of the box");
 }
 
 }  // namespace

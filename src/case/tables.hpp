@@ -27,12 +27,15 @@ void add_start(Table<ClothCase>& table);
 Table<ProbeCase> probe_table();
 Table<ExactCase> exact_table();
 Table<CouplingCase> coupling_table();
+Table<ContactCase> contact_table();
 Table<TimeCase> time_table();
 Table<SolverCase> solver_table();
 Table<OutputCase> output_table();
 Table<CheckpointCase> checkpoint_table();
 Table<ScaleCase> scale_table();
 
+/// Fills in what of contact the file does not give.
+void set_contact(CaseFile& file, const Node& root, int dimension);
 /// Refuses what no single key shows; `root` is the whole file, for the place of a key.
 /// @throws InputError
 void check_case(const CaseFile& file, const Node& root);

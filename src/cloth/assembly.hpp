@@ -30,7 +30,8 @@ class Assembly {
   /// On return blocks = d2W/dX2 at X of each lane [N/m], springs under compression cut at
   /// floor[lane] <= 0.
   template <int L>
-  void assemble(const double* X, const double* floor, double* blocks) const;
+  void assemble(const double* X, const double* floor, double* blocks,
+                elastic::Loss loss = {}) const;
 
  private:
   /// A pair of legs (first, second <= first) and the places of its four pairs of ends.
@@ -62,9 +63,10 @@ class Assembly {
   void add_bending(const std::vector<Bend<D, seam>>& bends, const Locate& place);
   template <int L, int N, bool seam>
   static void add(const Element<N, seam>& element, const double* X, const double* floor,
-                  double* blocks);
+                  const elastic::Loss& loss, double* blocks);
   template <int L, bool seam>
-  static void add(const Part<seam>& part, const double* X, const double* floor, double* blocks);
+  static void add(const Part<seam>& part, const double* X, const double* floor, elastic::Loss& loss,
+                  double* blocks);
   template <int L>
   void start(double* blocks) const;
 
@@ -164,16 +166,17 @@ void add_spring(double factor, const double* E, const double* floor, double* M) 
 template <int D>
 template <int L, int N, bool seam>
 void Assembly<D>::add(const Element<N, seam>& element, const double* X, const double* floor,
-                      double* blocks) {
+                      const elastic::Loss& loss, double* blocks) {
   const Strain<D, N, seam>& e = element.strain;
   const elastic::Legs<D, L, N> legs(e, X);
   alignas(64) double E[L], M[D * D * L];
-  legs.strain(e, E);
+  legs.strain(e, loss, E);
+  const double stiffness = loss.gain * e.stiffness;
   for (const Pair& pair : element.pairs) {
-    const double w = 4 * e.stiffness * e.weight[pair.first] * e.weight[pair.second];
+    const double w = 4 * stiffness * e.weight[pair.first] * e.weight[pair.second];
     elastic::outer<D, L>(w, legs.d[pair.first], legs.d[pair.second], M);
     const bool same = pair.first == pair.second;
-    if (same) elastic::add_spring<D, L>(2 * e.weight[pair.first] * e.stiffness, E, floor, M);
+    if (same) elastic::add_spring<D, L>(2 * e.weight[pair.first] * stiffness, E, floor, M);
     for (int k = 0; k < 4; ++k) {
       if (same && k == 2) continue;  // (b, a) is (a, b) again
       const Place& p = pair.place[k];
@@ -199,18 +202,22 @@ void Assembly<D>::start(double* blocks) const {
 template <int D>
 template <int L, bool seam>
 void Assembly<D>::add(const Part<seam>& part, const double* X, const double* floor,
-                      double* blocks) {
-  for (const auto& e : part.edges) add<L>(e, X, floor, blocks);
-  for (const auto& e : part.shears) add<L>(e, X, floor, blocks);
-  for (const auto& e : part.dilations) add<L>(e, X, floor, blocks);
+                      elastic::Loss& loss, double* blocks) {
+  const auto over = [&](const auto& elements) {
+    for (const auto& e : elements) add<L>(e, X, floor, loss, blocks), loss.next<L>();
+  };
+  over(part.edges);
+  over(part.shears);
+  over(part.dilations);
 }
 
 template <int D>
 template <int L>
-void Assembly<D>::assemble(const double* X, const double* floor, double* blocks) const {
+void Assembly<D>::assemble(const double* X, const double* floor, double* blocks,
+                           elastic::Loss loss) const {
   start<L>(blocks);
-  add<L>(inner_, X, floor, blocks);
-  add<L>(seam_, X, floor, blocks);
+  add<L>(inner_, X, floor, loss, blocks);
+  add<L>(seam_, X, floor, loss, blocks);
 }
 
 }  // namespace washtub

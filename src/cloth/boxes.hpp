@@ -14,6 +14,14 @@ struct BoundingBox {
   Vec<D> size() const { return upper - lower; }
 };
 
+/// The least box with all of some points in it.
+template <int D, class Points>
+BoundingBox<D> box_about(const Points& points) {
+  BoundingBox<D> b{points[0], points[0]};
+  for (const Vec<D>& p : points) b.lower = b.lower.cwiseMin(p), b.upper = b.upper.cwiseMax(p);
+  return b;
+}
+
 /// Boxes sorted into the bins of a regular lattice by their middles, so that those which overlap
 /// with another one are found among few.
 template <int D>

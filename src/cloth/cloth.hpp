@@ -53,4 +53,14 @@ struct Cloth {
   }
 };
 
+/// Mass of each node beyond that of the water it displaces [kg].
+template <int D>
+std::vector<double> excess_masses(const Cloth<D>& cloth) {
+  std::vector<double> mass;
+  for (const auto& g : cloth.groups)
+    for (int p = 0; p < g.pieces; ++p)
+      for (const double area : g.sheet.area) mass.push_back(g.sheet.material.excess_mass * area);
+  return mass;
+}
+
 }  // namespace washtub

@@ -7,6 +7,19 @@
 /// L = 1 that is a plain array of Vec<D>. The loops over lanes are what the compiler vectorises.
 namespace washtub::elastic {
 
+/// Kelvin's and Voigt's law over a step dt: K (E + tau (E - E^n)/dt) is the stress of a spring of
+/// `gain` K, gain = 1 + tau/dt, whose strain counts from `past` = E^n tau/(tau + dt).
+struct Loss {
+  double gain = 1;
+  const double* past = nullptr;  ///< [strain][lane], in the order of the elements; null: 0
+
+  /// That of the strain after this one.
+  template <int L>
+  void next() {
+    if (past) past += L;
+  }
+};
+
 /// Vectors along the legs of a strain, d[leg][component][lane] [m].
 template <int D, int L, int N>
 struct Legs {
@@ -35,25 +48,34 @@ struct Legs {
       E[l] = sum;
     }
   }
+  /// The strain beyond that from which it counts.
+  template <bool seam>
+  void strain(const Strain<D, N, seam>& e, const Loss& loss, double* E) const {
+    strain(e, E);
+    if (!loss.past) return;
+#pragma omp simd
+    for (int l = 0; l < L; ++l) E[l] -= loss.past[l];
+  }
 };
 
 template <int D, int L, int N, bool seam>
-void add_energy(const Strain<D, N, seam>& e, const double* X, double* W) {
+void add_energy(const Strain<D, N, seam>& e, const double* X, const Loss& loss, double* W) {
   alignas(64) double E[L];
-  Legs<D, L, N>(e, X).strain(e, E);
+  Legs<D, L, N>(e, X).strain(e, loss, E);
+  const double stiffness = loss.gain * e.stiffness;
 #pragma omp simd
-  for (int l = 0; l < L; ++l) W[l] += 0.5 * e.stiffness * E[l] * E[l];
+  for (int l = 0; l < L; ++l) W[l] += 0.5 * stiffness * E[l] * E[l];
 }
 
 template <int D, int L, int N, bool seam>
-void add_force(const Strain<D, N, seam>& e, const double* X, double* F) {
+void add_force(const Strain<D, N, seam>& e, const double* X, const Loss& loss, double* F) {
   alignas(64) double E[L];
   const Legs<D, L, N> legs(e, X);
-  legs.strain(e, E);
+  legs.strain(e, loss, E);
   for (int k = 0; k < N; ++k) {
     double* a = F + e.leg[k][0] * D * L;
     double* b = F + e.leg[k][1] * D * L;
-    const double factor = 2 * e.weight[k] * e.stiffness;
+    const double factor = 2 * e.weight[k] * loss.gain * e.stiffness;
     for (int c = 0; c < D; ++c) {
 #pragma omp simd
       for (int l = 0; l < L; ++l) {
@@ -104,34 +126,50 @@ void add_force(const Bend<D, seam>& e, const double* X, double* F) {
   }
 }
 
-template <int D, int L, bool seam>
-void add_energy(const Elements<D, seam>& elements, const double* X, double* W) {
-  for (const auto& e : elements.edges) add_energy<D, L>(e, X, W);
-  for (const auto& e : elements.shears) add_energy<D, L>(e, X, W);
-  for (const auto& e : elements.dilations) add_energy<D, L>(e, X, W);
-  for (const auto& e : elements.bends) add_energy<D, L>(e, X, W);
+/// Calls visit(strain, loss) for the membrane strains, with the loss of each, and leaves `loss` as
+/// that of the strain beyond them.
+template <int L, int D, bool seam, class Visit>
+void for_strains(const Elements<D, seam>& elements, Loss& loss, const Visit& visit) {
+  const auto over = [&](const auto& strains) {
+    for (const auto& e : strains) visit(e, loss), loss.next<L>();
+  };
+  over(elements.edges);
+  over(elements.shears);
+  over(elements.dilations);
 }
 
-template <int D, int L, bool seam>
-void add_force(const Elements<D, seam>& elements, const double* X, double* F) {
-  for (const auto& e : elements.edges) add_force<D, L>(e, X, F);
-  for (const auto& e : elements.shears) add_force<D, L>(e, X, F);
-  for (const auto& e : elements.dilations) add_force<D, L>(e, X, F);
-  for (const auto& e : elements.bends) add_force<D, L>(e, X, F);
+template <int L, int D, class Visit>
+void for_strains(const Sheet<D>& sheet, Loss loss, const Visit& visit) {
+  for_strains<L>(sheet.inner, loss, visit);
+  for_strains<L>(sheet.seam, loss, visit);
 }
 
 /// Adds the elastic energy of each lane to W[lane].
 template <int D, int L>
-void add_energy(const Sheet<D>& sheet, const double* X, double* W) {
-  add_energy<D, L>(sheet.inner, X, W);
-  add_energy<D, L>(sheet.seam, X, W);
+void add_energy(const Sheet<D>& sheet, const double* X, double* W, const Loss& loss = {}) {
+  for_strains<L>(sheet, loss,
+                 [&](const auto& e, const Loss& own) { add_energy<D, L>(e, X, own, W); });
+  for (const auto& e : sheet.inner.bends) add_energy<D, L>(e, X, W);
+  for (const auto& e : sheet.seam.bends) add_energy<D, L>(e, X, W);
 }
 
 /// Adds -dW/dX of each lane to F.
 template <int D, int L>
-void add_force(const Sheet<D>& sheet, const double* X, double* F) {
-  add_force<D, L>(sheet.inner, X, F);
-  add_force<D, L>(sheet.seam, X, F);
+void add_force(const Sheet<D>& sheet, const double* X, double* F, const Loss& loss = {}) {
+  for_strains<L>(sheet, loss,
+                 [&](const auto& e, const Loss& own) { add_force<D, L>(e, X, own, F); });
+  for (const auto& e : sheet.inner.bends) add_force<D, L>(e, X, F);
+  for (const auto& e : sheet.seam.bends) add_force<D, L>(e, X, F);
+}
+
+/// On return past[strain][lane] = share times each membrane strain at X.
+template <int D, int L>
+void find_past(const Sheet<D>& sheet, const double* X, double share, double* past) {
+  for_strains<L>(sheet, {1, past}, [&]<int N, bool seam>(const Strain<D, N, seam>& e, const Loss&) {
+    Legs<D, L, N>(e, X).strain(e, past);
+    for (int l = 0; l < L; ++l) past[l] *= share;
+    past += L;
+  });
 }
 
 /// Largest |E| over the edges, per lane.

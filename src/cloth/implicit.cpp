@@ -1,5 +1,6 @@
 #include "cloth/implicit.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -24,6 +25,23 @@ int springs_per_node(const Sheet<D>& sheet) {
   return *std::max_element(count.begin(), count.end());
 }
 
+template <int D>
+std::size_t membrane_strains(const Sheet<D>& sheet) {
+  const auto count = [](const auto& e) {
+    return e.edges.size() + e.shears.size() + e.dilations.size();
+  };
+  return count(sheet.inner) + count(sheet.seam);
+}
+
+/// Least eigenvalue of a symmetric matrix.
+template <int D>
+double least_stiffness(const Mat<D>& K) {
+  if (K.isDiagonal(0)) return K.diagonal().minCoeff();
+  return Eigen::SelfAdjointEigenSolver<Mat<D>>()
+      .computeDirect(K, Eigen::EigenvaluesOnly)
+      .eigenvalues()[0];
+}
+
 }  // namespace
 
 template <int D>
@@ -34,18 +52,23 @@ ClothSolver<D>::ClothSolver(Sheet<D> sheet, const std::vector<int>& pinned, doub
       cholesky_(sheet_.nodes(), couplings(sheet_), pinned),
       assembly_(sheet_, cholesky_.blocks(), [&](int x, int y) { return cholesky_.place(x, y); }) {
   const auto size = static_cast<std::size_t>(sheet_.nodes()) * D * lanes;
-  for (Field* field : {&X_, &Z_, &k_, &step_, &trial_, &ordered_}) field->assign(size, 0.0);
+  for (Field* field : {&X_, &Z_, &step_, &trial_, &ordered_}) field->assign(size, 0.0);
+  K_.assign(size * D, 0.0);
+  if (sheet_.material.loss_time > 0) past_.assign(membrane_strains(sheet_) * lanes, 0.0);
 }
 
 template <int D>
-auto ClothSolver<D>::solve(std::span<const int> pieces, std::span<const Vec<D>> stiffness,
-                           std::span<const Vec<D>> target, std::span<Vec<D>> Y) -> Report {
+auto ClothSolver<D>::solve(std::span<const int> pieces, const ClothProblem<D>& problem,
+                           std::span<Vec<D>> Y, std::span<Vec<D>> F) -> Report {
   Report out;
   for (std::size_t first = 0; first < pieces.size(); first += lanes) {
     const auto batch = pieces.subspan(first, std::min<std::size_t>(lanes, pieces.size() - first));
-    load(batch, stiffness, target);
+    load(batch, problem);
     out.factorisations += find_minimum();
-    store(batch, Y);
+    store(batch, X_, Y);
+    std::fill(trial_.begin(), trial_.end(), 0.0);
+    elastic::add_force<D, lanes>(sheet_, X_.data(), trial_.data(), loss_);
+    store(batch, trial_, F);
     report(batch, out);
   }
   return out;
@@ -58,33 +81,52 @@ int ClothSolver<D>::piece(std::span<const int> pieces, int lane) const {
 }
 
 template <int D>
-void ClothSolver<D>::load(std::span<const int> pieces, std::span<const Vec<D>> stiffness,
-                          std::span<const Vec<D>> target) {
+void ClothSolver<D>::load(std::span<const int> pieces, const ClothProblem<D>& problem) {
   const int nodes = sheet_.nodes();
   for (int l = 0; l < lanes; ++l) {
     const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(piece(pieces, l)) * nodes;
-    double smallest = std::numeric_limits<double>::infinity();
+    double softest = std::numeric_limits<double>::infinity();
     for (int x = 0; x < nodes; ++x) {
-      const Vec<D>&k = stiffness[offset + x], &z = target[offset + x];
-      smallest = std::min(smallest, k.minCoeff());
-      for (int c = 0; c < D; ++c) {
-        const int i = (x * D + c) * lanes + l;
-        k_[i] = k[c];
-        Z_[i] = z[c];
-      }
+      const Mat<D>& K = problem.stiffness[offset + x];
+      softest = std::min(softest, least_stiffness<D>(K));
+      for (int c = 0; c < D * D; ++c) K_[(x * D * D + c) * lanes + l] = K(c / D, c % D);
     }
-    // By Gershgorin's theorem springs down to -k/(2 springs) leave k + Hessian definite.
-    safe_floor_[l] = -0.4 * smallest / springs_;
+    // By Gershgorin's theorem springs down to -k/(2 springs) leave K + Hessian definite.
+    safe_floor_[l] = -0.4 * softest / springs_;
   }
+  find_loss(pieces, problem);
+  load(pieces, problem.target, Z_);
   X_ = Z_;
 }
 
 template <int D>
-void ClothSolver<D>::store(std::span<const int> pieces, std::span<Vec<D>> Y) const {
+void ClothSolver<D>::load(std::span<const int> pieces, std::span<const Vec<D>> from,
+                          Field& to) const {
+  const int nodes = sheet_.nodes();
+  for (int l = 0; l < lanes; ++l) {
+    const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(piece(pieces, l)) * nodes;
+    for (int x = 0; x < nodes; ++x)
+      for (int c = 0; c < D; ++c) to[(x * D + c) * lanes + l] = from[offset + x][c];
+  }
+}
+
+template <int D>
+void ClothSolver<D>::find_loss(std::span<const int> pieces, const ClothProblem<D>& problem) {
+  loss_ = {};
+  const double tau = sheet_.material.loss_time;
+  if (!(tau > 0 && problem.dt > 0)) return;
+  load(pieces, problem.before, trial_);
+  elastic::find_past<D, lanes>(sheet_, trial_.data(), tau / (tau + problem.dt), past_.data());
+  loss_ = {1 + tau / problem.dt, past_.data()};
+}
+
+template <int D>
+void ClothSolver<D>::store(std::span<const int> pieces, const Field& from,
+                           std::span<Vec<D>> to) const {
   for (std::size_t l = 0; l < pieces.size(); ++l) {
     const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(pieces[l]) * sheet_.nodes();
     for (int x = 0; x < sheet_.nodes(); ++x)
-      for (int c = 0; c < D; ++c) Y[offset + x][c] = X_[(x * D + c) * lanes + l];
+      for (int c = 0; c < D; ++c) to[offset + x][c] = from[(x * D + c) * lanes + l];
   }
 }
 
@@ -138,30 +180,46 @@ int ClothSolver<D>::refactorise() {
   return 2;
 }
 
-/// sum k (X - Z)^2/2 + W(X) of each lane [J].
+/// sum (X - Z).K (X - Z)/2 + W(X) of each lane [J].
 template <int D>
 auto ClothSolver<D>::objective(const Field& X) const -> PerLane {
   PerLane sum{};
-  elastic::add_energy<D, lanes>(sheet_, X.data(), sum.data());
-  for (std::size_t i = 0; i < X.size(); i += lanes) {
+  elastic::add_energy<D, lanes>(sheet_, X.data(), sum.data(), loss_);
+  for (int x = 0; x < sheet_.nodes(); ++x) {
+    const double* K = K_.data() + static_cast<std::ptrdiff_t>(x) * D * D * lanes;
+    const double *at = X.data() + x * D * lanes, *to = Z_.data() + x * D * lanes;
+    for (int c = 0; c < D * D; ++c) {
+      const int r = c / D * lanes, s = c % D * lanes;
 #pragma omp simd
-    for (int l = 0; l < lanes; ++l) {
-      const double d = X[i + l] - Z_[i + l];
-      sum[l] += 0.5 * k_[i + l] * d * d;
+      for (int l = 0; l < lanes; ++l)
+        sum[l] += 0.5 * K[c * lanes + l] * (at[r + l] - to[r + l]) * (at[s + l] - to[s + l]);
     }
   }
   return sum;
 }
 
+/// pull = -K (X - Z).
+template <int D>
+void ClothSolver<D>::find_pull(const Field& X, Field& pull) const {
+  std::fill(pull.begin(), pull.end(), 0.0);
+  for (int x = 0; x < sheet_.nodes(); ++x) {
+    const double* K = K_.data() + static_cast<std::ptrdiff_t>(x) * D * D * lanes;
+    for (int c = 0; c < D * D; ++c) {
+      const int r = (x * D + c / D) * lanes, s = (x * D + c % D) * lanes;
+#pragma omp simd
+      for (int l = 0; l < lanes; ++l) pull[r + l] -= K[c * lanes + l] * (X[s + l] - Z_[s + l]);
+    }
+  }
+}
+
 template <int D>
 void ClothSolver<D>::factorise(const PerLane& floor) {
-  assembly_.template assemble<lanes>(X_.data(), floor.data(), cholesky_.data());
+  assembly_.template assemble<lanes>(X_.data(), floor.data(), cholesky_.data(), loss_);
   for (int x = 0; x < sheet_.nodes(); ++x) {
     const Place p = cholesky_.place(x, x);
     if (p.index < 0) continue;
     double* block = cholesky_.data() + static_cast<std::ptrdiff_t>(p.index) * D * D * lanes;
-    for (int c = 0; c < D; ++c)
-      for (int l = 0; l < lanes; ++l) block[c * (D + 1) * lanes + l] += k_[(x * D + c) * lanes + l];
+    for (int i = 0; i < D * D * lanes; ++i) block[i] += K_[x * D * D * lanes + i];
   }
   cholesky_.factorise();
 }
@@ -170,8 +228,8 @@ void ClothSolver<D>::factorise(const PerLane& floor) {
 /// are not active, and `size_` its largest component, or not a number if one is not.
 template <int D>
 void ClothSolver<D>::find_step() {
-  for (std::size_t i = 0; i < X_.size(); ++i) step_[i] = -k_[i] * (X_[i] - Z_[i]);
-  elastic::add_force<D, lanes>(sheet_, X_.data(), step_.data());
+  find_pull(X_, step_);
+  elastic::add_force<D, lanes>(sheet_, X_.data(), step_.data(), loss_);
   constexpr int stride = D * lanes;
   for (int x = 0; x < sheet_.nodes(); ++x)
     if (const int p = cholesky_.position(x); p >= 0)

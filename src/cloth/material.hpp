@@ -13,6 +13,10 @@ struct Material {
   double poisson = 0;      ///< nu, from 0 to below 1; plates only
   double excess_mass = 0;  ///< rho_s q, beyond the displaced water [kg/m^2]
   double thickness = 0;    ///< q [m]
+  double friction = 0;        ///< coefficient against other cloth of its kind
+  double solid_friction = 0;  ///< against solids and sides of the box
+  /// tau of Kelvin's and Voigt's law: membrane stress is K (E + tau dE/dt) [s]. Implicit solve only.
+  double loss_time = 0;
 };
 
 }  // namespace washtub

@@ -32,7 +32,7 @@ template <int D>
 void BroydenScheme<D>::find_force() {
   step_.find_elastic(step_.next);
   for (int i = 0; i < step_.cloth.nodes(); ++i)
-    for (int c = 0; c < D; ++c) step_.excess.find(i, c, step_.next, step_.dt());
+    for (int c = 0; c < D; ++c) step_.inertia.find(i, c, step_.next, step_.dt());
   step_.add_up_force();
 }
 

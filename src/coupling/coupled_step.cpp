@@ -6,11 +6,11 @@ namespace washtub {
 
 template <int D>
 CoupledStep<D>::CoupledStep(Flow<D>& flow_, Cloth<D>& cloth_)
-    : flow(flow_), cloth(cloth_), excess(cloth_) {
+    : flow(flow_), cloth(cloth_), inertia(cloth_) {
   for (const auto& g : cloth.groups)
     for (int p = 0; p < g.pieces; ++p)
       for (const int node : g.pinned) pinned.push_back(g.node(p, node));
-  for (auto* n : {&water, &mobility, &force, &next})
+  for (auto* n : {&water, &mobility, &given, &force, &next})
     n->resize(cloth.position.size(), Vec<D>::Zero());
 }
 
@@ -25,8 +25,15 @@ void CoupledStep<D>::find_elastic(const Nodes& X) {
 }
 
 template <int D>
+void CoupledStep<D>::find_given() {
+  std::fill(given.begin(), given.end(), Vec<D>::Zero());
+  for (const auto& f : forces) f->add({cloth.position, cloth.velocity, dt()}, given);
+}
+
+template <int D>
 void CoupledStep<D>::add_up_force() {
-  for (std::size_t i = 0; i < force.size(); ++i) force[i] = cloth.elastic[i] + excess.force()[i];
+  for (std::size_t i = 0; i < force.size(); ++i)
+    force[i] = cloth.elastic[i] + given[i] + inertia.force()[i];
 }
 
 template <int D>

@@ -1,8 +1,11 @@
 #pragma once
+#include <memory>
 #include <vector>
 
-#include "coupling/barrier.hpp"
-#include "coupling/excess_mass.hpp"
+#include "cloth/nodal_force.hpp"
+#include "contact/barrier.hpp"
+#include "contact/contact.hpp"
+#include "coupling/inertia.hpp"
 #include "flow/flow.hpp"
 
 namespace washtub {
@@ -17,6 +20,7 @@ struct CouplingReport {
   double leak = 0;      ///< rms over the pinned nodes of |S u| [m/s]
   bool looked = false;  ///< whether it was
   typename Barrier<D>::Report barrier;
+  typename Contact<D>::Report contact;
 };
 
 /// The step of cloth and water under way, on which Coupling and its scheme work.
@@ -29,19 +33,23 @@ struct CoupledStep {
   double dt() const { return flow.step(); }  ///< [s]
   /// cloth.elastic = -dW/dX(X).
   void find_elastic(const Nodes& X);
-  /// force = elastic force, weight and inertia, as they were found last.
+  /// given = the forces of the list, as they are when the step begins (collective).
+  void find_given();
+  /// force = elastic force, given ones and inertia, as they were found last.
   void add_up_force();
   /// Largest strain of the cloth at `next`, into the report.
   void measure_strain();
 
   Flow<D>& flow;
   Cloth<D>& cloth;
-  ExcessMass<D> excess;
+  Inertia<D> inertia;
+  std::vector<std::unique_ptr<NodalForce<D>>> forces;
   std::vector<int> pinned;  ///< nodes that never move
   /// Velocity of the water at the nodes [m/s]: before the projection with the force and pressure of
   /// the last step, then u^n+1, with 0 at pinned nodes.
   Nodes water;
   Nodes mobility;  ///< D of the nodes [1/kg]
+  Nodes given;     ///< sum of the forces of the list [N]
   Nodes force;     ///< G: total force of each node on the water [N]
   Nodes next;      ///< X^n+1 [m]
   CouplingReport<D> report;

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "contact/repulsion.hpp"
+
 namespace washtub {
 namespace {
 
@@ -19,16 +21,25 @@ void require(bool holds, const char* what) {
 template <int D>
 Coupling<D>::Coupling(Flow<D>& flow, Cloth<D>& cloth, const DomainMapping<D>& mapping,
                       Kernel kernel, const SidePairs<D>& sides, Scheme scheme,
-                      double marker_spacing, PhaseClock* clock)
+                      double marker_spacing, PhaseClock* clock, const ContactSettings& contact)
     : clock_(clock),
       mapping_(mapping),
       step_(flow, cloth),
       boundary_(flow.grid(), cloth, kernel, sides, marker_spacing),
-      barrier_(flow.grid(), mapping, cloth),
-      scheme_(make_scheme(scheme, step_, barrier_)),
+      barrier_(flow.grid(), mapping, cloth, contact.solid_time),
+      surface_(cloth),
       middle_(cloth.position.size()),
       place_of_mobility_(cloth.position.size(), Vec<D>::Zero()),
-      pin_force_(step_.pinned.size()) {}
+      pin_force_(step_.pinned.size()) {
+  if (contact.scheme == ContactScheme::layers) {
+    const auto &mesh = flow.grid().mesh();
+    const auto &parallel = flow.grid().parallel();
+    contact_.emplace(surface_, cloth, mesh, parallel, contact);
+    add(std::make_unique<Repulsion<D>>(surface_, mesh, parallel, contact,
+                                       friction_of_groups(cloth)));
+  }
+  scheme_ = make_scheme(scheme, step_, barrier_, contact_ ? &*contact_ : nullptr);
+}
 
 /// Whether the nodes are where they were, within a part of a cell, when the mobility was found.
 template <int D>
@@ -95,6 +106,7 @@ void Coupling<D>::push() {
   find_pins();
   {
     const InPhase solving(clock_, Phase::cloth);
+    step_.find_given();
     scheme_->push();
   }
   spread_force();
@@ -129,6 +141,7 @@ typename Coupling<D>::Report Coupling<D>::move(bool measure_slip) {
   const int held = report.barrier.touched;  // by the scheme
   report.barrier = barrier_.accept(next, dt);
   report.barrier.touched += held;
+  if (contact_) report.contact = contact_->end(cloth.position, next);
   cloth.velocity_before = cloth.velocity;
   for (std::size_t i = 0; i < next.size(); ++i) {
     cloth.velocity[i] = (next[i] - cloth.position[i]) / dt;

@@ -1,5 +1,7 @@
 #pragma once
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "base/phase_clock.hpp"
@@ -24,12 +26,12 @@ class Coupling {
   /// `clock`: where the scheme's part of the time goes; may be null.
   Coupling(Flow<D>& flow, Cloth<D>& cloth, const DomainMapping<D>& mapping, Kernel kernel,
            const SidePairs<D>& sides, Scheme scheme, double marker_spacing = 2,
-           PhaseClock* clock = nullptr);
+           PhaseClock* clock = nullptr, const ContactSettings& contact = {});
   Coupling(const Coupling&) = delete;
   Coupling& operator=(const Coupling&) = delete;
 
-  /// Gravity [m/s^2] acts on the mass of the cloth beyond that of the displaced water.
-  void set_gravity(const Vec<D>& gravity) { step_.excess.set_gravity(gravity); }
+  /// The force acts on the cloth from now on.
+  void add(std::unique_ptr<NodalForce<D>> force) { step_.forces.push_back(std::move(force)); }
 
   /// On return flow.force() is the force of the cloth on the water during this step.
   /// @throws RunError naming the piece whose solve failed
@@ -48,6 +50,9 @@ class Coupling {
     archive.same_length("place of mobility", place_of_mobility_);
     archive.value("age of mobility", age_of_mobility_);
     archive.value("barrier", barrier_);
+    archive.value("scheme", *scheme_);
+    for (std::size_t i = 0; i < step_.forces.size(); ++i)
+      archive.value("force " + std::to_string(i), *step_.forces[i]);
     if (archive.reading()) stage_ = Stage::moved;  // a step that failed is forgotten
   }
 
@@ -71,6 +76,8 @@ class Coupling {
   CoupledStep<D> step_;
   ImmersedBoundary<D> boundary_;
   Barrier<D> barrier_;
+  ClothSurface<D> surface_;
+  std::optional<Contact<D>> contact_;
   std::unique_ptr<CouplingScheme<D>> scheme_;
   std::vector<Vec<D>> middle_;                  ///< where the delta functions stand [m]
   std::vector<Vec<D>> place_of_mobility_;       ///< where they stood when it was found [m]

@@ -8,7 +8,7 @@ namespace washtub {
 
 template <int D>
 std::unique_ptr<CouplingScheme<D>> make_scheme(Scheme scheme, CoupledStep<D>& step,
-                                               Barrier<D>& barrier) {
+                                               Barrier<D>& barrier, Contact<D>* contact) {
   switch (scheme) {
     case Scheme::explicit_euler:
       return std::make_unique<EulerScheme<D>>(step);
@@ -17,10 +17,12 @@ std::unique_ptr<CouplingScheme<D>> make_scheme(Scheme scheme, CoupledStep<D>& st
     case Scheme::implicit:
       break;
   }
-  return std::make_unique<ImplicitScheme<D>>(step, barrier);
+  return std::make_unique<ImplicitScheme<D>>(step, barrier, contact);
 }
 
-template std::unique_ptr<CouplingScheme<2>> make_scheme(Scheme, CoupledStep<2>&, Barrier<2>&);
-template std::unique_ptr<CouplingScheme<3>> make_scheme(Scheme, CoupledStep<3>&, Barrier<3>&);
+template std::unique_ptr<CouplingScheme<2>> make_scheme(Scheme, CoupledStep<2>&, Barrier<2>&,
+                                                        Contact<2>*);
+template std::unique_ptr<CouplingScheme<3>> make_scheme(Scheme, CoupledStep<3>&, Barrier<3>&,
+                                                        Contact<3>*);
 
 }  // namespace washtub

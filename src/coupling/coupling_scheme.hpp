@@ -29,10 +29,13 @@ class CouplingScheme {
   virtual void move() {}
   /// Moment about a vertical axis of the forces that hold nodes off a solid [N m].
   virtual double contact_moment(int /*solid*/, const Vec<3>& /*axis*/) const { return 0; }
+  /// What it carries from step to step.
+  virtual void state(Archive& /*archive*/) {}
 };
 
+/// `contact`: between parts of the cloth; may be null.
 template <int D>
 std::unique_ptr<CouplingScheme<D>> make_scheme(Scheme scheme, CoupledStep<D>& step,
-                                               Barrier<D>& barrier);
+                                               Barrier<D>& barrier, Contact<D>* contact);
 
 }  // namespace washtub

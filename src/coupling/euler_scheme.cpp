@@ -4,7 +4,7 @@ namespace washtub {
 
 template <int D>
 void EulerScheme<D>::push() {
-  step_.excess.find_lagging(step_.flow.step_before());
+  step_.inertia.find_lagging(step_.flow.step_before());
   step_.find_elastic(step_.cloth.position);
   step_.add_up_force();
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include "cloth/implicit.hpp"
+#include "contact/solid_hold.hpp"
 #include "coupling/coupling_scheme.hpp"
 
 namespace washtub {
@@ -9,29 +10,30 @@ namespace washtub {
 /// the forces of the step before went on. Linearly stable for any stiffness. The inertia of heavy
 /// cloth is part of the minimum, that of light cloth lags a step.
 ///
-/// Nodes that would come too near a surface are held off it. What that takes is the force of the
-/// surface on them.
+/// What would come too near to something is held off it and solved again, until nothing is left to
+/// hold. What that takes are the forces of surfaces on nodes, and of parts of the cloth on each
+/// other.
 template <int D>
 class ImplicitScheme : public CouplingScheme<D> {
  public:
-  ImplicitScheme(CoupledStep<D>& step, Barrier<D>& barrier);
+  ImplicitScheme(CoupledStep<D>& step, Barrier<D>& barrier, Contact<D>* contact);
 
   bool needs_provisional() const override { return true; }
   bool needs_projected() const override { return false; }
   /// @throws RunError naming the piece whose solve failed
   void push() override;
   double contact_moment(int solid, const Vec<3>& axis) const override;
+  void state(Archive& archive) override { archive.value("solids", solids_); }
 
  private:
   using Nodes = std::vector<Vec<D>>;
-  static constexpr int not_held = -2;
 
   bool heavy(int node, int component) const;
   void find_targets();
   void solve_group(std::size_t g, const std::vector<int>& pieces);
-  void share_among_ranks(std::size_t g);
-  void keep_out();
-  bool hold_contacts();
+  void share_among_ranks(std::size_t g, Nodes& values);
+  void hold_off();
+  bool bind_pushed();
   void solve_again();
   void add_reactions();
 
@@ -39,12 +41,14 @@ class ImplicitScheme : public CouplingScheme<D> {
   Barrier<D>& barrier_;
   std::vector<std::unique_ptr<ClothSolver<D>>> solvers_;
   std::vector<std::vector<int>> mine_;  ///< pieces of each group that this rank solves
-  Nodes stiffness_;                     ///< m/dt^2 [N/m]
-  Nodes free_;                          ///< Z [m]
-  Nodes target_;                        ///< Z, or where a node has to be [m]
-  std::vector<int> held_by_;            ///< solid that holds each node off itself, or not_held
-  std::vector<int> held_;               ///< nodes that are held off something in this step
-  Nodes reaction_;                      ///< force of solids and sides on held nodes [N]
+  SolidHold<D> solids_;
+  Contact<D>* contact_;
+  Nodes inertia_;                       ///< m/dt^2 [N/m]
+  Nodes free_;                          ///< Z of nodes that nothing holds [m]
+  Nodes push_;                          ///< of parts of the cloth on each other [N]
+  std::vector<Mat<D>> stiffness_;       ///< m/dt^2 and what holds the node [N/m]
+  Nodes target_;                        ///< where both together draw it [m]
+  std::vector<char> pushed_;            ///< nodes whose hold has changed
   std::vector<int> piece_;              ///< of each node, among all pieces
   std::vector<char> stale_;             ///< pieces that have to be solved again
   std::vector<int> pieces_;             ///< of a group that this rank solves again

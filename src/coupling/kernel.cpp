@@ -82,4 +82,14 @@ KernelPair kernel_pair(Kernel kernel, double x) {
   return {kernel_line(kernel, x), kernel_line(kernel, x - 0.5)};
 }
 
+double kernel_thickness(Kernel kernel) {
+  constexpr int parts = 1000;  // of a cell
+  double squares = 0;
+  for (int i = -2 * parts; i < 2 * parts; ++i) {
+    const double value = kernel_value(kernel, (i + 0.5) / parts);
+    squares += value * value / parts;
+  }
+  return 1 / squares;
+}
+
 }  // namespace washtub

@@ -22,6 +22,9 @@ struct KernelLine {
   std::array<double, kernel_points> weight;
 };
 
+/// Thickness of the layer of water that moves with a sheet, 1 / integral of phi^2, in cells.
+double kernel_thickness(Kernel kernel);
+
 /// h phi at a distance of r cells.
 double kernel_value(Kernel kernel, double r);
 

@@ -1,5 +1,8 @@
 #include "washer/build.hpp"
 
+#include <algorithm>
+#include <limits>
+
 #include "cloth/plate.hpp"
 #include "cloth/thread.hpp"
 #include "washer/placement.hpp"
@@ -64,6 +67,23 @@ Heaviside build_heaviside(const Case& whole) {
     default:
       return Heaviside::sharp(domain.mapping_shift);
   }
+}
+
+ContactSettings build_contact(const Case& whole) {
+  const ContactCase& given = whole.contact;
+  ContactSettings contact;
+  contact.scheme = given.scheme;
+  if (given.scheme == ContactScheme::none) return contact;
+  double finest = std::numeric_limits<double>::infinity();
+  for (int d = 0; d < whole.dimension; ++d)
+    finest = std::min(finest, whole.domain.size[d] / whole.domain.cells[d]);
+  contact.range = given.range;
+  contact.pressure = given.pressure;
+  contact.rise = 0.1 * whole.scale.period;
+  contact.gap = given.gap;
+  contact.areal_mass = whole.fluid.density * finest * kernel_thickness(whole.coupling.kernel);
+  contact.solid_time = given.solid_time;
+  return contact;
 }
 
 namespace {

@@ -15,6 +15,8 @@ template <int D>
 SidePairs<D> build_sides(const Case& whole);
 /// How solids close faces.
 Heaviside build_heaviside(const Case& whole);
+/// What cloth does to cloth and solids.
+ContactSettings build_contact(const Case& whole);
 /// All cloth at its start.
 /// @throws InputError where it cannot be placed
 template <int D>

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "case/velocity_field.hpp"
+#include "cloth/weight.hpp"
 #include "washer/build.hpp"
 #include "washer/resolution.hpp"
 #include "washer/watch.hpp"
@@ -44,8 +45,11 @@ Simulation<D>::Simulation(const Case& whole, const Parallel& parallel, Archive* 
   driving_speed_ = washtub::driving_speed<D>(grid_, mapping_, build_sides<D>(whole), last_.speed);
   if (cloth_.pieces() > 0)
     coupling_.emplace(flow_, cloth_, mapping_, whole.coupling.kernel, build_sides<D>(whole),
-                      whole.coupling.scheme, whole.coupling.marker_spacing, &clock_);
-  if (coupling_) coupling_->set_gravity(whole.fluid.gravity.template head<D>());
+                      whole.coupling.scheme, whole.coupling.marker_spacing, &clock_,
+                      build_contact(whole));
+  if (coupling_)
+    coupling_->add(
+        std::make_unique<Weight<D>>(cloth_, whole.fluid.gravity.template head<D>()));
   find_surface_momenta();
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "cloth/weight.hpp"
 #include "coupling/pool.hpp"
 
 using namespace washtub;
@@ -18,8 +19,8 @@ Cloth<2> hanging(double excess, const std::vector<int>& pinned) {
   return cloth;
 }
 
-class Weight : public ::testing::TestWithParam<Scheme> {};
-INSTANTIATE_TEST_SUITE_P(Coupling, Weight,
+class WeightOfCloth : public ::testing::TestWithParam<Scheme> {};
+INSTANTIATE_TEST_SUITE_P(Coupling, WeightOfCloth,
                          ::testing::Values(Scheme::implicit, Scheme::explicit_euler,
                                            Scheme::broyden));
 
@@ -29,7 +30,7 @@ TEST(HeavyCloth, FallsWithTheWaterItDrags) {
   constexpr double excess = 50;  // kg/m^2; the water that a node drags along has some 60
   for (const Scheme scheme : {Scheme::implicit, Scheme::broyden}) {
     Pool<2> pool(square(), 1, hanging(excess, {}), scheme);
-    pool.coupling.set_gravity({0, -g});
+    pool.coupling.add(std::make_unique<Weight<2>>(pool.cloth, Vec<2>{0, -g}));
     for (int i = 1; i <= 20; ++i) {
       pool.step(1e-3, 1e-8);
       EXPECT_NEAR(pool.momentum()[1], -excess * length * g * 1e-3 * i, 1e-6 * i);
@@ -40,18 +41,18 @@ TEST(HeavyCloth, FallsWithTheWaterItDrags) {
   }
 }
 
-TEST_P(Weight, OfLightClothGoesToTheWater) {
+TEST_P(WeightOfCloth, OfLightClothGoesToTheWater) {
   constexpr double excess = 2;
   Pool<2> pool(square(), 1, hanging(excess, {}), GetParam());
-  pool.coupling.set_gravity({0, -g});
+  pool.coupling.add(std::make_unique<Weight<2>>(pool.cloth, Vec<2>{0, -g}));
   for (int i = 0; i < 40; ++i) pool.step(1e-3, 1e-8);
   EXPECT_NEAR(pool.momentum()[1], -excess * length * g * 40e-3, 2e-3 * excess * length * g * 40e-3);
 }
 
-TEST_P(Weight, HangsOnThePins) {
+TEST_P(WeightOfCloth, HangsOnThePins) {
   constexpr double excess = 2;
   Pool<2> pool(square(), 200, hanging(excess, {0}), GetParam());
-  pool.coupling.set_gravity({0, -g});
+  pool.coupling.add(std::make_unique<Weight<2>>(pool.cloth, Vec<2>{0, -g}));
   for (int i = 0; i < 1000; ++i) pool.step(2e-3);
   const double weight = excess * (length - 0.025) * g;  // of the nodes below the pin
   EXPECT_NEAR(pool.cloth.elastic[0][1], -weight, 0.01 * weight);

@@ -1,4 +1,4 @@
-#include "coupling/barrier.hpp"
+#include "contact/barrier.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,15 +8,18 @@ namespace {
 
 constexpr double least = 0.02;  // of the smallest spacing, kept even by nodes that start nearer
 constexpr int passes = 3;       // over the surfaces, for corners between them
+constexpr double rounding = 1e-12;  // of half the widest spacing
 constexpr double clamp = 3;     // how far a pin frees its neighbours, in widest cell edges
 
 }  // namespace
 
 template <int D>
-Barrier<D>::Barrier(const Grid<D>& grid, const DomainMapping<D>& mapping, const Cloth<D>& cloth)
+Barrier<D>::Barrier(const Grid<D>& grid, const DomainMapping<D>& mapping, const Cloth<D>& cloth,
+                    double soft)
     : grid_(grid),
       mapping_(mapping),
       widest_(0.5 * grid.mesh().h.maxCoeff()),
+      soft_(soft),
       kept_(cloth.position.size(), 0),
       clearance_(cloth.position.size(), 0),
       alone_(cloth.position.size(), 0),
@@ -44,13 +47,12 @@ void Barrier<D>::free_clamps(const Cloth<D>& cloth) {
             continue;
           bool close = n == pin;
           for_near(X[static_cast<std::size_t>(n)],
-                   [&](const Surface& s) { close = close || s.psi > -margin(s.normal); });
+                   [&](const Near& s) { close = close || s.psi > -margin(s.normal); });
           if (close) alone_[static_cast<std::size_t>(g.node(p, n))] = 1;
         }
     }
 }
 
-/// Half a cell, measured along the normal.
 template <int D>
 double Barrier<D>::margin(const Vec<D>& normal) const {
   return 0.5 * normal.cwiseProduct(grid_.mesh().h).norm();
@@ -66,24 +68,33 @@ Vec<D> Barrier<D>::inside(Vec<D> x) const {
   return x;
 }
 
+/// Distance and direction of one surface.
+template <int D>
+auto Barrier<D>::look(Surface surface, const Vec<D>& x) const -> Near {
+  if (surface >= 0) {
+    const SolidPose& pose = mapping_.poses()[static_cast<std::size_t>(surface)];
+    const Vec<3> point = in_space<D>(inside(x));
+    return {pose.psi(point), pose.normal(point, 1e-3 * widest_).template head<D>(), surface};
+  }
+  const int d = (-1 - surface) / 2;
+  const auto& mesh = grid_.mesh();
+  if ((-1 - surface) % 2 == 0) return {mesh.lower[d] - x[d], -Vec<D>::Unit(d), surface};
+  return {x[d] - mesh.lower[d] - mesh.size()[d], Vec<D>::Unit(d), surface};
+}
+
 template <int D>
 template <class Visit>
 double Barrier<D>::for_near(const Vec<D>& x, Visit&& visit) const {
   double clear = 1e30;
-  const auto look = [&](double psi, auto&& normal, int solid) {
+  const auto meet = [&](double psi, Surface surface) {
     if (psi <= -2 * widest_)
       clear = std::min(clear, -psi - widest_);
     else
-      visit(Surface{psi, normal(), solid});
+      visit(look(surface, x));
   };
   const auto& poses = mapping_.poses();
   const Vec<3> point = in_space<D>(inside(x));
-  for (std::size_t s = 0; s < poses.size(); ++s) {
-    look(
-        poses[s].psi(point),
-        [&] { return Vec<D>(poses[s].normal(point, 1e-3 * widest_).template head<D>()); },
-        static_cast<int>(s));
-  }
+  for (std::size_t s = 0; s < poses.size(); ++s) meet(poses[s].psi(point), static_cast<int>(s));
   const auto& mesh = grid_.mesh();
   for (int d = 0; d < D; ++d) {
     const double high = mesh.lower[d] + mesh.h[d] * mesh.cells[d];
@@ -91,31 +102,36 @@ double Barrier<D>::for_near(const Vec<D>& x, Visit&& visit) const {
       if (!poses.empty()) clear = std::min({clear, point[d] - mesh.lower[d], high - point[d]});
       continue;
     }
-    look(
-        mesh.lower[d] - x[d], [&] { return Vec<D>(-Vec<D>::Unit(d)); }, no_solid);
-    look(
-        x[d] - high, [&] { return Vec<D>(Vec<D>::Unit(d)); }, no_solid);
+    meet(mesh.lower[d] - x[d], -1 - 2 * d);
+    meet(x[d] - high, -2 - 2 * d);
   }
   return clear;
+}
+
+/// How near to a surface a node may be after a step dt [m].
+template <int D>
+double Barrier<D>::distance_kept(int node, const Vec<D>& normal, double dt) const {
+  const double before = kept_[static_cast<std::size_t>(node)];
+  const double least = std::min(margin(normal), before);
+  if (!(soft_ > 0 && dt > 0) || before >= 2 * widest_) return least;
+  return least + std::exp(-dt / soft_) * (before - least);
 }
 
 /// Moves x out of the forbidden layer along the normals; returns whether it had to. `depth` grows
 /// to how deep x was.
 template <int D>
-bool Barrier<D>::project(Vec<D>& x, int node, int& solid, double& depth) const {
+bool Barrier<D>::project(Vec<D>& x, int node, double& depth) const {
   bool moved = false;
   for (int pass = 0; pass < passes; ++pass) {
     double worst = 0;
-    Surface hit{};
-    for_near(x, [&](const Surface& s) {
-      const double excess =
-          s.psi + std::min(margin(s.normal), kept_[static_cast<std::size_t>(node)]);
-      if (excess > worst) worst = excess, hit = s;
+    Vec<D> normal = Vec<D>::Zero();
+    for_near(x, [&](const Near& s) {
+      const double excess = s.psi + distance_kept(node, s.normal, 0);
+      if (excess > worst) worst = excess, normal = s.normal;
       if (pass == 0) depth = std::max(depth, s.psi);
     });
-    if (worst <= 1e-12 * widest_) break;
-    if (pass == 0) solid = hit.solid;
-    x -= worst * hit.normal;
+    if (worst <= rounding * widest_) break;
+    x -= worst * normal;
     moved = true;
   }
   return moved;
@@ -128,27 +144,44 @@ double Barrier<D>::travel(const Vec<D>& moved, double dt) const {
 }
 
 template <int D>
-const std::vector<typename Barrier<D>::Contact>& Barrier<D>::find(const std::vector<Vec<D>>& X,
-                                                                  double dt) {
-  contacts_.clear();
+const std::vector<typename Barrier<D>::Touch>& Barrier<D>::find(const std::vector<Vec<D>>& X,
+                                                                double dt) {
+  touches_.clear();
   double depth = 0;
   for (std::size_t i = 0; i < X.size(); ++i) {
     if (alone_[i] || clearance_[i] > travel(X[i] - accepted_[i], dt)) continue;
-    Contact c{static_cast<int>(i), no_solid, X[i]};
-    if (project(c.to, c.node, c.solid, depth)) contacts_.push_back(c);
+    const int node = static_cast<int>(i);
+    for_near(X[i], [&](const Near& s) {
+      depth = std::max(depth, s.psi);
+      const double excess = s.psi + distance_kept(node, s.normal, dt);
+      if (excess > rounding * widest_) touches_.push_back({node, s.surface, excess, s.normal});
+    });
   }
   if (!first_depth_) first_depth_ = depth;
-  return contacts_;
+  return touches_;
+}
+
+template <int D>
+auto Barrier<D>::look(int node, Surface surface, const Vec<D>& x, double dt) const -> Touch {
+  const Near near = look(surface, x);
+  return {node, surface, near.psi + distance_kept(node, near.normal, dt), near.normal};
+}
+
+template <int D>
+Vec<D> Barrier<D>::way(Surface surface, const Vec<D>& x, double dt) const {
+  if (surface < 0) return Vec<D>::Zero();
+  const Vec<3> u = mapping_.poses()[static_cast<std::size_t>(surface)].velocity(
+      in_space<D>(inside(x)));
+  return dt * u.template head<D>();
 }
 
 /// Moves a node that may be near a surface to where it is allowed, and notes how near it is then.
 template <int D>
 void Barrier<D>::find_place(Vec<D>& x, std::size_t node, Report& report) {
-  int solid = no_solid;
   double nearest = 1e30;
-  report.touched += project(x, static_cast<int>(node), solid, report.depth);
+  report.touched += project(x, static_cast<int>(node), report.depth);
   bool near = false;
-  const double clear = for_near(x, [&](const Surface& s) {
+  const double clear = for_near(x, [&](const Near& s) {
     near = true;
     nearest = std::min(nearest, -s.psi);
   });

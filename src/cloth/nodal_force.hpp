@@ -1,0 +1,30 @@
+#pragma once
+#include <vector>
+
+#include "base/archive.hpp"
+#include "base/vec.hpp"
+
+namespace washtub {
+
+/// The cloth at the start of a step.
+template <int D>
+struct ClothMoment {
+  const std::vector<Vec<D>>& position;  ///< X^n [m]
+  const std::vector<Vec<D>>& velocity;  ///< over the step before [m/s]
+  double dt;                            ///< length of the step that begins [s]
+};
+
+/// A force on the nodes that follows from where the cloth is when a step begins and acts all
+/// through it.
+template <int D>
+class NodalForce {
+ public:
+  virtual ~NodalForce() = default;
+
+  /// Adds the force of each node on the water [N], the same on all ranks (collective).
+  virtual void add(const ClothMoment<D>& now, std::vector<Vec<D>>& force) = 0;
+  /// What it carries from step to step.
+  virtual void state(Archive& /*archive*/) {}
+};
+
+}  // namespace washtub

@@ -1,0 +1,48 @@
+#pragma once
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "cloth/surface.hpp"
+#include "contact/pair.hpp"
+#include "grid/mesh.hpp"
+
+namespace washtub {
+
+/// The largest way of any of the points from x to y [m].
+template <int D>
+double farthest(const std::vector<Vec<D>>& x, const std::vector<Vec<D>>& y);
+
+/// Parts of the cloth without a common node that are near each other: all that can come within a
+/// distance. Each rank lists those of its own share of pieces. The list is kept until points have
+/// moved so far that others may matter.
+template <int D>
+class PairList {
+ public:
+  /// @param skin  by how much farther than asked for a list reaches [m]
+  PairList(const ClothSurface<D>& surface, const Mesh<D>& mesh, const Parallel& parallel,
+           double skin)
+      : surface_(surface), mesh_(mesh), parallel_(parallel), skin_(skin) {}
+
+  /// On return pairs() has all pairs that can come within `least` [m] while the points move
+  /// straight from x to y.
+  void cover(const std::vector<Vec<D>>& x, const std::vector<Vec<D>>& y, double least);
+  const std::vector<Pair<D>>& pairs() const { return pairs_; }
+
+ private:
+  void list(const std::vector<Vec<D>>& x);
+  void list_nodes(const std::vector<Vec<D>>& x);
+  void list_edges(const std::vector<Vec<D>>& x);
+  void add(const Pair<D>& pair, const std::vector<Vec<D>>& x);
+  bool mine(int point) const;
+  bool joined(int a, int b) const;
+
+  const ClothSurface<D>& surface_;
+  Mesh<D> mesh_;
+  Parallel parallel_;
+  double skin_;
+  double reach_ = 0;           ///< distance up to which pairs were listed [m]
+  std::vector<Vec<D>> where_;  ///< the points were then [m]
+  std::vector<Pair<D>> pairs_;
+};
+
+}  // namespace washtub
