@@ -19,9 +19,11 @@ constexpr int pieces = 16;
 template <int D>
 struct Group {
   std::vector<int> owned = std::vector<int>(pieces);
-  std::vector<Vec<D>> stiffness, target, Y;
+  std::vector<Mat<D>> stiffness;
+  std::vector<Vec<D>> target, Y, F;
 
-  Group(int nodes, double k) : stiffness(pieces * nodes, Vec<D>::Constant(k)), Y(pieces * nodes) {
+  Group(int nodes, double k)
+      : stiffness(pieces * nodes, k * Mat<D>::Identity()), Y(pieces * nodes), F(pieces * nodes) {
     std::iota(owned.begin(), owned.end(), 0);
   }
 };
@@ -30,7 +32,7 @@ template <int D>
 void measure(benchmark::State& state, const Sheet<D>& sheet, Group<D>& group) {
   ClothSolver<D> solver(sheet);
   typename ClothSolver<D>::Report report;
-  for (auto _ : state) report = solver.solve(group.owned, group.stiffness, group.target, group.Y);
+  for (auto _ : state) report = solver.solve(group.owned, {group.stiffness, group.target}, group.Y, group.F);
   state.counters["newton_steps"] = report.iterations;
   state.counters["factorisations_per_batch"] = report.factorisations * lanes / double(pieces);
   state.counters["failed"] = report.failed;

@@ -69,7 +69,7 @@ void set_scales(CaseFile& file, const Node&, int dimension) {
     scale.period = std::max(scale.period, solid.drive.period());
 }
 
-/// Step, sample interval and window where the file gives none.
+/// Step, sample interval, window and contact where the file does not give them.
 void set_times(CaseFile& file, const Node& root, int) {
   Case& whole = file.result;
   const double peak = fastest_drive(whole);
@@ -77,6 +77,7 @@ void set_times(CaseFile& file, const Node& root, int) {
   if (whole.output.every == 0)
     whole.output.every = (whole.scale.period > 0 ? whole.scale.period : whole.time.end) / 200;
   if (!find_key(root, "output.window")) whole.output.window_end = whole.time.end;
+  whole.contact = complete_contact(whole);
 }
 
 template <auto member>
@@ -115,7 +116,6 @@ Table<CaseFile> declare() {
       .then(set_scales)
       .table("scale", part<&Case::scale>(), scale_table())
       .then(set_times)
-      .then(set_contact)
       .then(fit_output)
       .then(note_jumps);
   return table;

@@ -133,6 +133,7 @@ struct SolverCase {
 struct OutputCase {
   double every = 0;         ///< sample interval of history.csv [s]
   double frames = 0;        ///< interval of frames [s]; 0 = none
+  double stress_time = 8e-3;  ///< over which strains are low-passed [s]
   double window_begin = 0;  ///< start of the statistics [s]
   double window_end = 0;    ///< end of the statistics [s]
 };
@@ -171,6 +172,9 @@ struct Case {
   std::string resolved;            ///< the case as TOML with explicit units, defaults filled in
   std::vector<std::string> notes;  ///< what the user should know, a sentence each
 };
+
+/// Contact with what is not given filled in.
+ContactCase complete_contact(const Case& whole);
 
 constexpr int most_nodes = 4096;  ///< along an edge of a piece
 

@@ -16,18 +16,16 @@ double cloth_area(const Case& whole) {
   return area;
 }
 
-/// Of the washer's tub, else of the box [m^3]; in 2-D area [m^2].
-double water_volume(const CaseFile& file) {
-  const Case& whole = file.result;
+/// Within the tub, or what is as wide as the box [m^3]; in 2-D area [m^2].
+double water_volume(const Case& whole) {
   const double height = whole.dimension == 3 ? whole.domain.size.z() : 1;
-  if (file.washer) return std::numbers::pi * file.washer->radius * file.washer->radius * height;
-  return whole.domain.size.x() * whole.domain.size.y() * height;
+  return std::numbers::pi * whole.scale.length * whole.scale.length * height;
 }
 
 /// Stops the fastest water, or bears the weight of a few layers of the heaviest cloth.
-double default_pressure(const Case& whole) {
+double default_pressure(const Case& whole, double range) {
   const double speed = whole.scale.speed * whole.scale.length;
-  const double creep = whole.fluid.viscosity / (whole.fluid.density * whole.contact.range);
+  const double creep = whole.fluid.viscosity / (whole.fluid.density * range);
   double heaviest = 0;
   for (const ClothCase& cloth : whole.cloth)
     heaviest = std::max(heaviest, cloth.material.excess_mass);
@@ -67,12 +65,11 @@ Table<ContactCase> contact_table() {
   return table;
 }
 
-void set_contact(CaseFile& file, const Node&, int) {
-  Case& whole = file.result;
-  ContactCase& contact = whole.contact;
+ContactCase complete_contact(const Case& whole) {
+  ContactCase contact = whole.contact;
   const double lateral = whole.domain.size.x() / whole.domain.cells[0];
   if (contact.range == 0) {
-    const bool crowded = cloth_area(whole) * 1.5 * lateral > water_volume(file) / 3;
+    const bool crowded = cloth_area(whole) * 1.5 * lateral > water_volume(whole) / 3;
     contact.range = (crowded ? 1 : 1.5) * lateral;
   }
   if (contact.gap == 0) {
@@ -81,7 +78,8 @@ void set_contact(CaseFile& file, const Node&, int) {
       contact.gap = std::max(contact.gap, cloth.material.thickness);
     contact.gap = std::min(contact.gap, 0.5 * contact.range);
   }
-  if (contact.pressure < 0) contact.pressure = default_pressure(whole);
+  if (contact.pressure < 0) contact.pressure = default_pressure(whole, contact.range);
+  return contact;
 }
 
 }  // namespace washtub

@@ -75,6 +75,9 @@ Table<OutputCase> output_table() {
       .fallback("1/200 of the drive's period, or of the run")
       .key("frames", &OutputCase::frames, quantity(measure::time, at_least(0)),
            "interval of the frames; 0 s for none")
+      .key("stress_time", &OutputCase::stress_time, quantity(measure::time, at_least(0)),
+           "time constant over which the strains behind the stress are low-passed, so that elastic "
+           "waves do not count; 0 s for none")
       .key("window", window, interval(measure::time, at_least(0)), "statistics are taken in it")
       .fallback("the whole run");
   return table;

@@ -34,8 +34,6 @@ Table<OutputCase> output_table();
 Table<CheckpointCase> checkpoint_table();
 Table<ScaleCase> scale_table();
 
-/// Fills in what of contact the file does not give.
-void set_contact(CaseFile& file, const Node& root, int dimension);
 /// Refuses what no single key shows; `root` is the whole file, for the place of a key.
 /// @throws InputError
 void check_case(const CaseFile& file, const Node& root);

@@ -66,11 +66,9 @@ bool touch(const ClothSurface<D>& surface, const typename ClothSurface<D>::Edge&
 
 template <int D>
 Crossings find_crossings(const Cloth<D>& cloth, const Mesh<D>& mesh) {
-  for (const auto& x : cloth.position)
-    if (!x.allFinite()) return {};
   const ClothSurface<D> surface(cloth);
   std::vector<Vec<D>> x;
-  surface.place(cloth.position, x);
+  if (!surface.place(cloth.position, x)) return {};
   std::vector<BoundingBox<D>> faces;
   for (const auto& face : surface.faces) faces.push_back(box_about<D>(corners<D>(face, x)));
   double longest = 0;

@@ -16,12 +16,6 @@ double von_mises(const Components& s) {
   return std::sqrt(s[0] * s[0] - s[0] * s[1] + s[1] * s[1] + 3 * s[2] * s[2]);
 }
 
-/// (1 - 1/|X_s|^2)/2 of one edge, Eq. (12).
-template <int D>
-double edge_strain(const Vec<D>& a, const Vec<D>& b, double ds) {
-  return 0.5 * (1 - ds * ds / (b - a).squaredNorm());
-}
-
 /// Unit normal at a node, from its neighbours' positions.
 Vec<3> normal(const Vec<3>& along_r, const Vec<3>& along_s) {
   return along_s.cross(along_r).normalized();
@@ -55,19 +49,34 @@ int inward(const Sheet<D>& sheet, int axis, int i) {
   return sheet.closed[axis] ? i : std::clamp(i, 1, sheet.extent[axis] - 2);
 }
 
+/// The i-th interval along an axis, counted on beyond a seam.
+template <int D>
+int wrapped(const Sheet<D>& sheet, int axis, int i) {
+  return sheet.closed[axis] ? (i + sheet.extent[axis]) % sheet.extent[axis] : i;
+}
+
+/// Mean strain of the edges at a node.
+struct EdgeMean {
+  double size = 0;                        ///< of the magnitudes
+  double tension = 0, compression = 0;    ///< of their positive and negative parts
+  void add(double e, int edges) {
+    size += std::fabs(e) / edges;
+    (e > 0 ? tension : compression) += std::fabs(e) / edges;
+  }
+};
+
 /// Strains and curvatures of one node of a plate.
 class PlateNode {
  public:
-  PlateNode(const Sheet<3>& sheet, std::span<const Vec<3>> X, int i, int j)
-      : sheet_(sheet), X_(X), at_{i, j} {}
+  PlateNode(const Sheet<3>& sheet, std::span<const Vec<3>> X, const Strains& strains, int i, int j)
+      : sheet_(sheet), X_(X), strains_(strains), at_{i, j} {}
 
-  /// Mean |e| of the one or two edges along an axis.
-  double strain(int axis) const {
+  /// Of the one or two edges along an axis.
+  EdgeMean strain(int axis) const {
     const auto [first, last] = around(sheet_, axis, at_[axis]);
-    double sum = 0;
-    for (int k = first; k < last; ++k)
-      sum += std::fabs(edge_strain(x(axis, k), x(axis, k + 1), ds(axis)));
-    return sum / (last - first);
+    EdgeMean mean;
+    for (int k = first; k < last; ++k) mean.add(edge(axis, k), last - first);
+    return mean;
   }
 
   double curvature(int axis) const {
@@ -90,6 +99,12 @@ class PlateNode {
 
  private:
   double ds(int axis) const { return sheet_.spacing[axis]; }
+  /// Strain of an edge in this one's line along an axis.
+  double edge(int axis, int place) const {
+    const int k = wrapped(sheet_, axis, place);
+    return axis == 0 ? strains_.along[0][k + sheet_.intervals(0) * at_[1]]
+                     : strains_.along[1][at_[0] + sheet_.extent[0] * k];
+  }
   Vec<3> at(int i, int j) const { return position(sheet_, X_, i, j); }
   /// The node in this one's line along an axis.
   Vec<3> x(int axis, int place) const { return axis == 0 ? at(place, at_[1]) : at(at_[0], place); }
@@ -103,18 +118,21 @@ class PlateNode {
     const Vec<3> twist = (d - c - b + a) / (ds(0) * ds(1));
     const double lr = ((b - a).norm() + (d - c).norm()) / (2 * ds(0));
     const double ls = ((c - a).norm() + (d - b).norm()) / (2 * ds(1));
-    const double scale = 1 / (lr * ls);
-    sum[0] += 0.5 * std::fabs(xr.dot(xs)) * scale;
-    sum[1] += std::fabs(twist.dot(normal(xr, xs))) * scale;
+    const int quad = wrapped(sheet_, 0, i) + sheet_.intervals(0) * wrapped(sheet_, 1, j);
+    sum[0] += std::fabs(strains_.shear[quad]);
+    sum[1] += std::fabs(twist.dot(normal(xr, xs))) / (lr * ls);
   }
 
   const Sheet<3>& sheet_;
   std::span<const Vec<3>> X_;
+  const Strains& strains_;
   std::array<int, 2> at_;
 };
 
 NodeStress combine(const Components& membrane, const Components& bending) {
-  NodeStress out{von_mises(membrane), von_mises(bending), 0, {}};
+  NodeStress out;
+  out.membrane = von_mises(membrane);
+  out.bending = von_mises(bending);
   for (int c = 0; c < 3; ++c) out.component[c] = membrane[c] + bending[c];
   out.total = von_mises(out.component);
   return out;
@@ -122,22 +140,26 @@ NodeStress combine(const Components& membrane, const Components& bending) {
 
 NodeStress stress(const PlateNode& node, const Material& m) {
   const double q = m.thickness, nu = m.poisson, surface = 6 / (q * q);
-  const double err = node.strain(0), ess = node.strain(1);
+  const EdgeMean r = node.strain(0), s = node.strain(1);
+  const double err = r.size, ess = s.size;
   const double kr = node.curvature(0), ks = node.curvature(1);
   const auto [shear, twist] = node.shear_and_twist();
   const double membrane = m.stretch / q, bending = surface * m.bending;
-  return combine({membrane * (err + nu * ess), membrane * (ess + nu * err), m.shear / q * shear},
-                 {bending * (kr + nu * ks), bending * (ks + nu * kr), surface * m.torsion * twist});
+  NodeStress out =
+      combine({membrane * (err + nu * ess), membrane * (ess + nu * err), m.shear / q * shear},
+              {bending * (kr + nu * ks), bending * (ks + nu * kr), surface * m.torsion * twist});
+  out.tension = 0.5 * membrane * (r.tension + s.tension);
+  out.compression = 0.5 * membrane * (r.compression + s.compression);
+  return out;
 }
 
-/// Mean |e_ss| of the one or two edges at a node of a thread.
-double strain(const Sheet<2>& thread, std::span<const Vec<2>> X, int i) {
+/// Of the one or two edges at a node of a thread.
+EdgeMean strain(const Sheet<2>& thread, const Strains& strains, int i) {
   const auto [first, last] = around(thread, 1, i);
-  double sum = 0;
+  EdgeMean mean;
   for (int k = first; k < last; ++k)
-    sum += std::fabs(
-        edge_strain(position(thread, X, 0, k), position(thread, X, 0, k + 1), thread.spacing[1]));
-  return sum / (last - first);
+    mean.add(strains.along[1][wrapped(thread, 1, k)], last - first);
+  return mean;
 }
 
 /// |kappa| at a node of a thread.
@@ -154,20 +176,25 @@ void check(const Material& m) {
 
 }  // namespace
 
-void find_stress(const Sheet<3>& plate, std::span<const Vec<3>> X, std::span<NodeStress> out) {
+void find_stress(const Sheet<3>& plate, std::span<const Vec<3>> X, const Strains& strains,
+                 std::span<NodeStress> out) {
   check(plate.material);
   for (int j = 0; j < plate.extent[1]; ++j)
     for (int i = 0; i < plate.extent[0]; ++i)
-      out[plate.node(i, j)] = stress(PlateNode(plate, X, i, j), plate.material);
+      out[plate.node(i, j)] = stress(PlateNode(plate, X, strains, i, j), plate.material);
 }
 
-void find_stress(const Sheet<2>& thread, std::span<const Vec<2>> X, std::span<NodeStress> out) {
+void find_stress(const Sheet<2>& thread, std::span<const Vec<2>> X, const Strains& strains,
+                 std::span<NodeStress> out) {
   check(thread.material);
   const Material& m = thread.material;
-  const double q = m.thickness;
+  const double q = m.thickness, membrane = m.stretch / q;
   for (int i = 0; i < thread.nodes(); ++i) {
     NodeStress& o = out[i];
-    o.membrane = m.stretch * strain(thread, X, i) / q;
+    const EdgeMean e = strain(thread, strains, i);
+    o.membrane = membrane * e.size;
+    o.tension = membrane * e.tension;
+    o.compression = membrane * e.compression;
     o.bending = 6 * m.bending * curvature(thread, X, i) / (q * q);
     o.total = o.component[1] = o.membrane + o.bending;
   }

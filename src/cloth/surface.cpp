@@ -93,10 +93,14 @@ ClothSurface<D>::ClothSurface(const Cloth<D>& cloth) {
 }
 
 template <int D>
-void ClothSurface<D>::place(std::span<const Vec<D>> X, std::vector<Vec<D>>& x) const {
+bool ClothSurface<D>::place(std::span<const Vec<D>> X, std::vector<Vec<D>>& x) const {
   x.resize(node.size());
-  for (std::size_t i = 0; i < x.size(); ++i)
-    x[i] = X[static_cast<std::size_t>(node[i])] + shift[i];
+  bool finite = true;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    x[i] = X[node[i]] + shift[i];
+    finite = finite && x[i].allFinite();
+  }
+  return finite;
 }
 
 namespace {

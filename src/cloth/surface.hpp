@@ -37,8 +37,9 @@ struct ClothSurface {
   /// (r, s) of the corners of a face [m], all on the same side of a seam.
   std::array<Vec<2>, D> rest_of(int face, int piece) const;
   int pieces() const { return static_cast<int>(first_face.size()) - 1; }
-  /// On return x[point] is where the points are, the nodes being at X.
-  void place(std::span<const Vec<D>> X, std::vector<Vec<D>>& x) const;
+  /// On return x[point] is where the points are, the nodes being at X. False where one is nowhere,
+  /// so that there is no sense in looking at the surface.
+  bool place(std::span<const Vec<D>> X, std::vector<Vec<D>>& x) const;
 };
 
 }  // namespace washtub

@@ -31,8 +31,7 @@ Contact<D>::Contact(const ClothSurface<D>& surface, const Cloth<D>& cloth, const
 
 template <int D>
 void Contact<D>::hold(HeldStep<D>& step) {
-  surface_.place(step.start, from_);
-  surface_.place(step.next, to_);
+  if (!surface_.place(step.start, from_) || !surface_.place(step.next, to_)) return;
   list_.cover(from_, to_, gap_);
   held_.hold(list_.pairs(), step);
 }

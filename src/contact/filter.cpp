@@ -39,8 +39,8 @@ int CrossingFilter<D>::cut(PairList<D>& list, const std::vector<Vec<D>>& X,
   factor_.assign(static_cast<std::size_t>(surface_.pieces()), 1);
   fraction_ = factor_;
   whole_ = Y;
-  surface_.place(X, from_);
-  surface_.place(Y, to_);
+  shortest_ = 1;
+  if (!surface_.place(X, from_) || !surface_.place(Y, to_)) return 0;
   list.cover(from_, to_, 0);
   for (int round = 0; find_factors(list.pairs(), round >= rounds); ++round) {
     parallel_.min(std::span(factor_));
@@ -50,7 +50,6 @@ int CrossingFilter<D>::cut(PairList<D>& list, const std::vector<Vec<D>>& X,
         Y[i] = X[i] + f * (whole_[i] - X[i]);
     surface_.place(Y, to_);
   }
-  shortest_ = 1;
   for (const double f : fraction_) shortest_ = std::min(shortest_, f);
   return static_cast<int>(std::count_if(fraction_.begin(), fraction_.end(),
                                         [](double f) { return f < 1; }));

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "contact/geometry.hpp"
 #include "contact/pair_list.hpp"
@@ -50,6 +51,7 @@ Repulsion<D>::Repulsion(const ClothSurface<D>& surface, const Mesh<D>& mesh,
       set_(settings),
       friction_(std::move(friction)),
       skin_(skin * settings.range) {
+  if (!(settings.range > 0)) throw std::logic_error("Repulsion: needs a range > 0");
   for (int p = 0; p < surface.pieces(); ++p)
     for (int f = surface.first_face[p]; f < surface.first_face[p + 1]; ++f) {
       piece_.push_back(p);
@@ -264,7 +266,7 @@ void Repulsion<D>::push_off(std::size_t sample, double moved, double dt) {
 template <int D>
 void Repulsion<D>::add(const ClothMoment<D>& now, std::vector<Vec<D>>& force) {
   age_ += now.dt;
-  surface_.place(now.position, x_);
+  if (!surface_.place(now.position, x_)) return;
   v_.resize(x_.size());
   for (std::size_t i = 0; i < v_.size(); ++i) v_[i] = now.velocity[surface_.node[i]];
   measure_faces();

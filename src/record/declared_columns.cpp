@@ -180,8 +180,8 @@ const std::vector<DeclaredColumn<Sample>> error = {
 
 const std::vector<DeclaredColumn<Sample>> cloth = {
     {{names::stress, pascal,
-      "largest at the surfaces of the cloth (von Mises in 3-D), mean over "
-      "the area of each piece, then over the pieces"},
+      "largest at the surfaces of the cloth (von Mises in 3-D), with membrane strains low-passed "
+      "over output.stress_time; mean over the area of each piece, then over the pieces"},
      [](const Sample& s) { return s.stress.total; },
      stress_plot("total", names::stress)},
     {{names::membrane_stress, pascal, "the part of stretching and shear, mean as the stress"},
@@ -190,6 +190,19 @@ const std::vector<DeclaredColumn<Sample>> cloth = {
     {{names::bending_stress, pascal, "the part of bending and twisting, mean as the stress"},
      [](const Sample& s) { return s.stress.bending; },
      stress_plot("bending", names::bending_stress)},
+    {{names::tension, pascal,
+      "the membrane stress along edges that are stretched, those that are not counting as 0; mean "
+      "as the stress"},
+     [](const Sample& s) { return s.tension; },
+     stress_plot("tension", names::tension)},
+    {{names::compression, pascal, "the same of edges that are compressed, its magnitude"},
+     [](const Sample& s) { return s.compression; },
+     stress_plot("compression", names::compression)},
+    {{names::raw_stress, pascal,
+      "the stress with the strains of the instant: elastic waves, which depend on the time step, "
+      "count in full"},
+     [](const Sample& s) { return s.raw_stress; },
+     stress_plot("raw", names::raw_stress)},
     {{names::radius, metre, "distance of the pieces' centres from the axis, mean over the area"},
      [](const Sample& s) { return s.centre[0]; },
      {.fold = "Cloth",

@@ -176,6 +176,14 @@ const std::vector<DeclaredEntry<RunSource>> coupling = {
      [](const RunSource& s) -> Json {
        return per_step(static_cast<double>(s.end.extremes.touched), s);
      }},
+    {{"pairs of cloth held apart per step", pure_number,
+      "nodes and faces, or two edges, that would have come nearer than contact.gap"},
+     [](const RunSource& s) -> Json {
+       return per_step(static_cast<double>(s.end.extremes.held), s);
+     }},
+    {{"pieces cut short", pure_number,
+      "in all steps: that went a part of their way only, so as not to pass through cloth"},
+     [](const RunSource& s) -> Json { return s.end.extremes.cut; }},
 };
 
 namespace {
@@ -221,8 +229,8 @@ const std::vector<DeclaredEntry<RunSource>> quality = {
      [](const RunSource& s) { return of_crossings(s, s.end.quality.most_crossings); }},
     {{"share of edges through other pieces", pure_number, "in the last frame"},
      [](const RunSource& s) { return of_crossings(s, s.end.quality.crossings.share()); }},
-    {{"edges through their own piece", pure_number, "in the last frame"},
-     [](const RunSource& s) { return of_crossings(s, s.end.quality.crossings.own); }},
+    {{"most edges through their own piece", pure_number, "in a frame"},
+     [](const RunSource& s) { return of_crossings(s, s.end.quality.most_own_crossings); }},
 };
 
 const std::vector<DeclaredEntry<Scales>> scales = {

@@ -11,6 +11,7 @@ struct Extremes {
                                                   ///< over the least one that counts
   double speed = 0;                               ///< [m/s]
   long slip_looks = 0;                            ///< steps in which the slip was measured
+  long held = 0, cut = 0;                         ///< pairs of cloth, pieces: see Contact::Report
   long touched = 0, cycles = 0, unconverged = 0, newton = 0;
   double largest_step = 0, smallest_step = 1e30;
 
@@ -26,6 +27,8 @@ struct Extremes {
     archive.value("slip looks", slip_looks);
     archive.value("speed", speed);
     archive.value("touched", touched);
+    archive.value("held", held);
+    archive.value("cut", cut);
     archive.value("pressure cycles", cycles);
     archive.value("unconverged", unconverged);
     archive.value("newton steps", newton);

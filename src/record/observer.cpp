@@ -21,6 +21,13 @@ Vec<2> turning_axis(const std::vector<Solid>& solids) {
 /// Whether a thread is closed without a shift, and so encloses an area.
 bool is_ring(const Sheet<2>& sheet) { return sheet.closed[1] && sheet.period[1].isZero(); }
 
+double mean_over(const std::vector<NodeStress>& nodes, const std::vector<double>& area,
+                 double NodeStress::*part) {
+  double sum = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i) sum += area[i] * nodes[i].*part;
+  return sum / std::accumulate(area.begin(), area.end(), 0.0);
+}
+
 Interval window(const Case& whole) { return {whole.output.window_begin, whole.output.window_end}; }
 
 }  // namespace
@@ -31,6 +38,7 @@ Observer<D>::Observer(Simulation<D>& simulation)
       axis_(turning_axis(simulation.mapping().solids())),
       statistics_(no_statistics()),
       sampled_(simulation.time()),
+      steady_(simulation.cloth(), simulation.definition().output.stress_time),
       self_watch_(simulation) {
   if (simulation.definition().exact) exact_.emplace(*simulation.definition().exact);
   const auto n = simulation.cloth().position.size();
@@ -92,7 +100,13 @@ PieceSample Observer<D>::observe_piece(const ClothGroup<D>& g, int p) {
   const auto X = simulation_.cloth().piece(g, p);
   const auto first = static_cast<std::size_t>(g.node(p, 0));
   node_stress_.resize(X.size());
-  find_stress(g.sheet, X, node_stress_);
+  PieceSample sample;
+  find_strains(g.sheet, X, strains_);
+  find_stress(g.sheet, X, strains_, node_stress_);
+  sample.raw_stress = mean_over(node_stress_, g.sheet.area, &NodeStress::total);
+  find_stress(g.sheet, X, steady_.of_piece(g.first_piece + p), node_stress_);
+  sample.tension = mean_over(node_stress_, g.sheet.area, &NodeStress::tension);
+  sample.compression = mean_over(node_stress_, g.sheet.area, &NodeStress::compression);
   for (std::size_t i = 0; i < node_stress_.size(); ++i) {
     membrane_[first + i] = node_stress_[i].membrane;
     bending_[first + i] = node_stress_[i].bending;
@@ -101,8 +115,9 @@ PieceSample Observer<D>::observe_piece(const ClothGroup<D>& g, int p) {
   const auto part = [&](const std::vector<double>& v) {
     return std::span(v).subspan(first, node_stress_.size());
   };
-  return {radius_height<D>(centre_of_mass<D>(X, g.sheet.area), axis_),
-          area_mean({part(membrane_), part(bending_), part(total_)}, g.sheet.area)};
+  sample.centre = radius_height<D>(centre_of_mass<D>(X, g.sheet.area), axis_);
+  sample.stress = area_mean({part(membrane_), part(bending_), part(total_)}, g.sheet.area);
+  return sample;
 }
 
 template <int D>
@@ -122,6 +137,9 @@ void Observer<D>::observe_cloth(Sample& sample, const Interval& since) {
     sample.stress.membrane += p.stress.membrane / pieces;
     sample.stress.bending += p.stress.bending / pieces;
     sample.stress.total += p.stress.total / pieces;
+    sample.raw_stress += p.raw_stress / pieces;
+    sample.tension += p.tension / pieces;
+    sample.compression += p.compression / pieces;
   }
   collect(sample.pieces, since);
 }
@@ -200,6 +218,7 @@ double Observer<D>::least_speed() const {
 
 template <int D>
 void Observer<D>::watch(const typename Simulation<D>::Step& step) {
+  steady_.add(simulation_.cloth(), step.dt);
   auto& e = extremes_;
   e.divergence = std::max(e.divergence, step.divergence);
   e.courant = std::max(e.courant, step.courant);
@@ -215,6 +234,8 @@ void Observer<D>::watch(const typename Simulation<D>::Step& step) {
   e.penetration = std::max(e.penetration, step.cloth.barrier.penetration);
   e.strain = std::max(e.strain, step.cloth.largest_strain);
   e.touched += step.cloth.barrier.touched;
+  e.held += step.cloth.contact.held;
+  e.cut += step.cloth.contact.cut;
   e.cycles += step.pressure.cycles;
   e.newton += step.cloth.iterations;
   e.unconverged += !step.pressure.converged;
@@ -227,6 +248,7 @@ void Observer<D>::state(Archive& archive) {
   archive.value("cloth", statistics_);
   archive.value("extremes", extremes_);
   archive.value("sampled", sampled_);
+  archive.value("steady", steady_);
   archive.value("self-watch", self_watch_);
   // What was collected was over the window then, which may have been another one.
   if (archive.reading() && window(simulation_.definition()).begin >= sampled_)

@@ -51,6 +51,8 @@ class Observer {
   ClothStatistics statistics_;
   std::optional<ExactSolution<D>> exact_;
   double sampled_;  ///< time of the last sample [s]
+  SteadyStrains<D> steady_;
+  Strains strains_;  ///< of a piece now
   std::vector<NodeStress> node_stress_;
   std::vector<double> membrane_, bending_, total_;
   Extremes extremes_;

@@ -15,6 +15,7 @@ struct Quality {
   EnergyBalance balance;    ///< over all rows; of closed boxes only
   Crossings crossings;      ///< in the last frame
   long most_crossings = 0;  ///< edges through another piece, most in a frame
+  long most_own_crossings = 0;  ///< edges through their own piece, likewise
 
   /// One sentence or paragraph on each thing that is not as it should be.
   std::vector<std::string> warnings(const Case& whole) const;

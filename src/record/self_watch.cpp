@@ -47,6 +47,7 @@ template <int D>
 const Crossings& SelfWatch<D>::count_crossings() {
   quality_.crossings = find_crossings(simulation_.cloth(), simulation_.grid().mesh());
   quality_.most_crossings = std::max(quality_.most_crossings, quality_.crossings.others);
+  quality_.most_own_crossings = std::max(quality_.most_own_crossings, quality_.crossings.own);
   return quality_.crossings;
 }
 

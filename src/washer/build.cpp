@@ -70,7 +70,7 @@ Heaviside build_heaviside(const Case& whole) {
 }
 
 ContactSettings build_contact(const Case& whole) {
-  const ContactCase& given = whole.contact;
+  const ContactCase given = complete_contact(whole);
   ContactSettings contact;
   contact.scheme = given.scheme;
   if (given.scheme == ContactScheme::none) return contact;

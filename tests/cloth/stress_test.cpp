@@ -20,7 +20,9 @@ double von_mises(double a, double b, double t) {
 template <int D>
 std::vector<NodeStress> stress(const Sheet<D>& sheet, const std::vector<Vec<D>>& X) {
   std::vector<NodeStress> out(X.size());
-  find_stress(sheet, X, out);
+  Strains strains;
+  find_strains<D>(sheet, X, strains);
+  find_stress(sheet, X, strains, out);
   return out;
 }
 

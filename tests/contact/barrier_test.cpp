@@ -1,10 +1,10 @@
-#include "coupling/barrier.hpp"
+#include "contact/barrier.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "coupling/dots.hpp"
+#include "support/dots.hpp"
 
 using namespace washtub;
 using namespace washtub::testing;
@@ -25,6 +25,11 @@ struct Room {
   }
   Room() : grid(mesh(), Parallel(), {1, 1}), mapping(grid, {disc()}) { mapping.update(0); }
 };
+
+/// Where a node at x is not too near any more.
+Vec<2> moved_off(const Barrier<2>::Touch& touch, const Vec<2>& x) {
+  return x - touch.excess * touch.normal;
+}
 
 double psi(const Vec<2>& x) { return 0.2 - (x - Vec<2>(0.5, 0.5)).norm(); }
 
@@ -52,15 +57,15 @@ TEST(Barrier, PutsNodesHalfACellBeforeTheSurface) {
   const auto contacts = barrier.find(X, 0.1);
   ASSERT_EQ(contacts.size(), 3u);
   EXPECT_EQ(contacts[0].node, 0);
-  EXPECT_EQ(contacts[0].solid, 0);
-  EXPECT_EQ(contacts[1].solid, Barrier<2>::no_solid);
+  EXPECT_EQ(contacts[0].surface, 0);
+  EXPECT_LT(contacts[1].surface, 0);
   const auto report = barrier.accept(X, 0.1);
   EXPECT_EQ(report.touched, 3);
   EXPECT_NEAR(report.depth, 0.2, 1e-12);  // of the floor; the disc: 0.04
   EXPECT_EQ(report.penetration, 0);
   EXPECT_NEAR(psi(X[0]), -0.5 * h, 1e-9);
   EXPECT_NEAR((X[0] - Vec<2>(0.5, 0.5)).normalized().dot(Vec<2>(0.03, 0.16).normalized()), 1, 1e-6);
-  EXPECT_LT((X[0] - contacts[0].to).norm(), 1e-12);
+  EXPECT_LT((X[0] - moved_off(contacts[0], {0.53, 0.66})).norm(), 1e-9);
   EXPECT_LT((X[1] - Vec<2>(0.15, 0.5 * h)).norm(), 1e-12);
   EXPECT_LT((X[2] - Vec<2>(0.12, 1 - 0.5 * h)).norm(), 1e-12);
   EXPECT_EQ(X[3], Vec<2>(0.3, 0.85));
@@ -73,7 +78,7 @@ TEST(Barrier, ReportsTheDepthBeforeNodesWereHeld) {
   Barrier<2> barrier(room.grid, room.mapping, dots(X));
   X = {{0.5, 0.67}, {0.15, 0.01}};
   for (int round = 0; round < 3; ++round)
-    for (const auto& contact : barrier.find(X, 0.1)) X[contact.node] = contact.to;
+    for (const auto& contact : barrier.find(X, 0.1)) X[contact.node] = moved_off(contact, X[contact.node]);
   const auto report = barrier.accept(X, 0.1);
   EXPECT_NEAR(report.depth, 0.03, 1e-9);  // of the disc; the other node stays above the floor
   EXPECT_EQ(report.penetration, 0);
@@ -106,6 +111,24 @@ TEST(Barrier, LetsNodesThatStartNearStayButNotGoDeeper) {
   X[0][1] = 0.3 * h;
   barrier.accept(X, 0.01);
   EXPECT_NEAR(X[0][1], 0.4 * h, 1e-12);
+}
+
+/// A node closes by exp(-t/tau) of its gap, whatever the step.
+TEST(Barrier, LetsNodesNearSoftlyWhateverTheStep) {
+  constexpr double tau = 6e-3, end = 12e-3, start = 0.95 * h;
+  for (const int steps : {3, 12, 48}) {
+    const Room room;
+    std::vector<Vec<2>> X = {{0.5, start}};
+    Barrier<2> barrier(room.grid, room.mapping, dots(X), tau);
+    for (int i = 0; i < steps; ++i) {
+      X[0][1] = 0;
+      const auto found = barrier.find(X, end / steps);
+      ASSERT_EQ(found.size(), 1u);
+      X[0] = moved_off(found[0], X[0]);
+      barrier.accept(X, end / steps);
+    }
+    EXPECT_NEAR(X[0][1], 0.5 * h + (start - 0.5 * h) * std::exp(-end / tau), 1e-9) << steps;
+  }
 }
 
 TEST(Barrier, FindsNodesThatComeFromFarInSmallSteps) {
@@ -147,8 +170,8 @@ TEST(Barrier, KeepsOffWhatIsBeyondAPeriodicSide) {
   Barrier<2> image(grid, across, dots<2>({{0.3, 0.5}}));
   const std::vector<Vec<2>> in_image = {{0.16, 0.5}}, past_side = {{-0.08, 0.5}};
   ASSERT_EQ(image.find(in_image, 0.01).size(), 1u);
-  EXPECT_NEAR(image.find(in_image, 0.01)[0].to[0], 0.15 + 0.5 * h, 1e-9);
+  EXPECT_NEAR(moved_off(image.find(in_image, 0.01)[0], in_image[0])[0], 0.15 + 0.5 * h, 1e-9);
   Barrier<2> body(grid, near, dots<2>({{0.05, 0.5}}));
   ASSERT_EQ(body.find(past_side, 0.01).size(), 1u);
-  EXPECT_NEAR(body.find(past_side, 0.01)[0].to[0], -0.1 + 0.5 * h, 1e-9);
+  EXPECT_NEAR(moved_off(body.find(past_side, 0.01)[0], past_side[0])[0], -0.1 + 0.5 * h, 1e-9);
 }

@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 #include "cloth/plate.hpp"
-#include "coupling/dots.hpp"
+#include "support/dots.hpp"
 
 using namespace washtub;
 using namespace washtub::testing;

@@ -4,7 +4,7 @@
 
 #include "cloth/thread.hpp"
 #include "coupling/coupling.hpp"
-#include "coupling/dots.hpp"
+#include "support/dots.hpp"
 #include "support/water_box.hpp"
 
 namespace washtub::testing {
