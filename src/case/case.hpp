@@ -133,9 +133,9 @@ struct SolverCase {
 struct OutputCase {
   double every = 0;         ///< sample interval of history.csv [s]
   double frames = 0;        ///< interval of frames [s]; 0 = none
-  double stress_time = 8e-3;  ///< over which strains are low-passed [s]
   double window_begin = 0;  ///< start of the statistics [s]
   double window_end = 0;    ///< end of the statistics [s]
+  double stress_time = 8e-3;  ///< over which strains are low-passed [s]
 };
 
 struct CheckpointCase {

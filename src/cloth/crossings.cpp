@@ -86,8 +86,9 @@ Crossings find_crossings(const Cloth<D>& cloth, const Mesh<D>& mesh) {
       const auto& face = surface.faces[f];
       const auto piece = [&](int point) { return surface.piece[static_cast<std::size_t>(point)]; };
       bool& crosses = piece(face[0]) == piece(edge[0]) ? own : others;
-      if (!crosses && !touch<D>(surface, edge, face))
-        crosses = passes(ends, corners<D>(face, x), shift);
+      if (crosses || touch<D>(surface, edge, face)) return;
+      crosses = passes(ends, corners<D>(face, x), shift);
+      if (crosses && found.others + found.own == 0) found.first = {piece(edge[0]), piece(face[0])};
     });
     found.others += others;
     found.own += own;

@@ -25,7 +25,7 @@ Contact<D>::Contact(const ClothSurface<D>& surface, const Cloth<D>& cloth, const
                     const Parallel& parallel, const ContactSettings& settings)
     : surface_(surface),
       gap_(settings.gap),
-      list_(surface, mesh, parallel, skin * settings.range),
+      list_(surface, mesh, skin * settings.range, Share(parallel)),
       held_(surface, parallel, settings.gap, friction_of_groups(cloth)),
       filter_(surface, parallel) {}
 

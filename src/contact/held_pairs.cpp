@@ -7,8 +7,8 @@ namespace washtub {
 namespace {
 
 constexpr int sweeps = 8;        // over the held pairs, in a call
-constexpr double recover = 0.05; // of the gap, by which pairs that are nearer widen in a step
-constexpr double enough = 0.1;   // of the distance asked for: a miss below that is left
+constexpr double recover = 0.1;  // of the gap, by which pairs that are nearer widen in a step
+constexpr double enough = 0.05;  // of the gap: a miss below that is left
 constexpr double fine = 1e-3;    // likewise, within the sweeps
 
 }  // namespace
@@ -73,15 +73,14 @@ Vec<D> HeldPairs<D>::yielding(const Held& held, const HeldStep<D>& step) const {
   return sum;
 }
 
-/// Betters the force of one pair; returns whether it has changed. `worst` grows to the part of its
-/// distance that it missed before.
+/// Betters the force of one pair. `worst` grows to what its distance lacked before [m].
 template <int D>
-bool HeldPairs<D>::sweep(Held& held, const HeldStep<D>& step, double& worst) {
+void HeldPairs<D>::sweep(Held& held, const HeldStep<D>& step, double& worst) {
   const Vec<D>& n = held.normal;
   const Vec<D> yields = yielding(held, step), now = gap(held, moved_);
   const double miss = held.least - now.dot(n);
-  worst = std::max(worst, miss / held.least);
-  if (held.force == 0 && miss <= fine * held.least) return false;
+  worst = std::max(worst, miss);
+  if (held.force == 0 && miss <= fine * gap_) return;
   const double along = n.cwiseProduct(n).dot(yields);
   const double force = std::max(0.0, held.force + miss / along);
   Vec<D> drag = Vec<D>::Zero();
@@ -99,7 +98,6 @@ bool HeldPairs<D>::sweep(Held& held, const HeldStep<D>& step, double& worst) {
         surface_.node[static_cast<std::size_t>(held.pair.point[k])]);
     moved_[node] += held.weight[k] * change.cwiseQuotient(step.stiffness[node]);
   }
-  return true;
 }
 
 template <int D>
@@ -116,7 +114,7 @@ void HeldPairs<D>::hold(const std::vector<Pair<D>>& pairs, HeldStep<D>& step) {
   double worst = 0, later = 0;
   for (int s = 0; s < sweeps; ++s)
     for (Held& h : held_) sweep(h, step, s == 0 ? worst : later);
-  if (worst <= enough) {
+  if (worst <= enough * gap_) {
     held_ = before;
     return;
   }

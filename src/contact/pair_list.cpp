@@ -54,7 +54,7 @@ void PairList<D>::list(const std::vector<Vec<D>>& x) {
 
 template <int D>
 bool PairList<D>::mine(int point) const {
-  return surface_.piece[static_cast<std::size_t>(point)] % parallel_.size() == parallel_.rank();
+  return share_.has(surface_.piece[static_cast<std::size_t>(point)]);
 }
 
 template <int D>

@@ -12,6 +12,15 @@ namespace washtub {
 template <int D>
 double farthest(const std::vector<Vec<D>>& x, const std::vector<Vec<D>>& y);
 
+/// Of a number of pieces, those that one of several ranks looks after.
+struct Share {
+  int rank = 0, ranks = 1;
+
+  Share() = default;
+  explicit Share(const Parallel& parallel) : rank(parallel.rank()), ranks(parallel.size()) {}
+  bool has(int piece) const { return piece % ranks == rank; }
+};
+
 /// Parts of the cloth without a common node that are near each other: all that can come within a
 /// distance. Each rank lists those of its own share of pieces. The list is kept until points have
 /// moved so far that others may matter.
@@ -19,9 +28,8 @@ template <int D>
 class PairList {
  public:
   /// @param skin  by how much farther than asked for a list reaches [m]
-  PairList(const ClothSurface<D>& surface, const Mesh<D>& mesh, const Parallel& parallel,
-           double skin)
-      : surface_(surface), mesh_(mesh), parallel_(parallel), skin_(skin) {}
+  PairList(const ClothSurface<D>& surface, const Mesh<D>& mesh, double skin, Share share = {})
+      : surface_(surface), mesh_(mesh), skin_(skin), share_(share) {}
 
   /// On return pairs() has all pairs that can come within `least` [m] while the points move
   /// straight from x to y.
@@ -38,8 +46,8 @@ class PairList {
 
   const ClothSurface<D>& surface_;
   Mesh<D> mesh_;
-  Parallel parallel_;
   double skin_;
+  Share share_;
   double reach_ = 0;           ///< distance up to which pairs were listed [m]
   std::vector<Vec<D>> where_;  ///< the points were then [m]
   std::vector<Pair<D>> pairs_;

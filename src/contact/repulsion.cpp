@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "contact/geometry.hpp"
-#include "contact/pair_list.hpp"
 
 namespace washtub {
 namespace {
@@ -149,7 +148,7 @@ void Repulsion<D>::list_near(const Sample& s) {
     const View v = view(x, normal, face);
     if (v.bound >= std::min(reach, nearest_found(v, sides) + 2 * skin_)) continue;
     look(v, normal, face, sides);
-    near_.push_back({static_cast<float>(v.bound), face});
+    near_.push_back({static_cast<float>((1 - 1e-6) * v.bound), face});
   }
   std::sort(near_.begin() + begin, near_.end());
   first_.push_back(near_.size());

@@ -5,6 +5,7 @@
 #include "cloth/boxes.hpp"
 #include "cloth/nodal_force.hpp"
 #include "cloth/surface.hpp"
+#include "contact/pair_list.hpp"
 #include "contact/settings.hpp"
 #include "grid/mesh.hpp"
 
@@ -53,7 +54,7 @@ class Repulsion : public NodalForce<D> {
   static Foot no_foot(double beyond) { return {-1, {}, {}, beyond}; }
 
   void add_samples(int face, int parts);
-  bool mine(int face) const { return piece_[face] % parallel_.size() == parallel_.rank(); }
+  bool mine(int face) const { return Share(parallel_).has(piece_[face]); }
   void list();
   void list_faces_near(int face, const BoxLists<D>& faces);
   void list_near(const Sample& s);

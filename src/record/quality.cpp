@@ -37,13 +37,13 @@ std::vector<std::string> Quality::warnings(const Case& whole) const {
   const double allowed = whole.contact.scheme == ContactScheme::none ? crossings_bound : 0;
   if (static_cast<double>(most_crossings) > allowed * static_cast<double>(crossings.edges))
     found.push_back(fmt::format(
-        "Cloth passes through other cloth: up to {} of {} edges ({:.2g} %) in a frame{}.",
+        "Cloth passes through other cloth: up to {} of {} edges ({:.2g} %) in a frame. {}.",
         most_crossings, crossings.edges,
         100 * static_cast<double>(most_crossings) / static_cast<double>(crossings.edges),
         whole.contact.scheme == ContactScheme::none
-            ? ". Nothing holds pieces apart but the water between them; try contact.scheme = "
+            ? "Nothing holds pieces apart but the water between them; try contact.scheme = "
               "\"layers\""
-            : ", although contact.scheme should keep it apart: it starts so, or this is a fault"));
+            : "Contact keeps apart what is not tangled when it starts; else this is a fault"));
   return found;
 }
 

@@ -1,10 +1,14 @@
 #include "washer/build.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
+#include "base/error.hpp"
 #include "cloth/plate.hpp"
 #include "cloth/thread.hpp"
+#include "contact/start_check.hpp"
 #include "washer/placement.hpp"
 
 namespace washtub {
@@ -124,6 +128,34 @@ Sheet<D> build_sheet(const ClothCase& cloth, const Case& whole, const Patch& pat
 
 }  // namespace
 
+namespace {
+
+/// Cloth that starts tangled stays tangled, since nothing passes through cloth.
+/// @throws InputError
+template <int D>
+void refuse_tangled(const Cloth<D>& cloth, const Case& whole) {
+  const ContactSettings contact = build_contact(whole);
+  if (contact.scheme == ContactScheme::none) return;
+  const auto found = find_too_near(cloth, build_mesh<D>(whole), contact.gap);
+  if (!found) return;
+  const std::string who = found->first == found->second
+                              ? fmt::format("piece {} starts", found->first + 1)
+                              : fmt::format("pieces {} and {} start", found->first + 1,
+                                            found->second + 1);
+  const std::string how =
+      found->distance > 0
+          ? fmt::format("{} {:.3g} mm from {}, allowed: at least {:.3g} mm (contact.gap)", who,
+                        1e3 * found->distance,
+                        found->first == found->second ? "itself" : "each other", 1e3 * contact.gap)
+          : fmt::format("{} by passing through {}", who,
+                        found->first == found->second ? "itself" : "each other");
+  throw InputError(fmt::format("cloth: {}; try another start of the cloth, such as a larger "
+                               "cloth.clearance or fewer pieces, or contact.scheme = \"none\"",
+                               how));
+}
+
+}  // namespace
+
 template <int D>
 Cloth<D> build_cloth(const Case& whole) {
   Cloth<D> cloth;
@@ -139,6 +171,7 @@ Cloth<D> build_cloth(const Case& whole) {
     cloth.add(build_sheet<D>(group, whole, patches.front()), where,
               held_nodes(group, cloth_nodes(group, whole)));
   }
+  refuse_tangled(cloth, whole);
   return cloth;
 }
 

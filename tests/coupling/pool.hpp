@@ -17,10 +17,11 @@ struct Pool {
   Coupling<D> coupling;
 
   Pool(const Mesh<D>& mesh, double viscosity, const Cloth<D>& cloth_, Scheme scheme,
-       const Parallel& parallel = Parallel())
+       const Parallel& parallel = Parallel(), const ContactSettings& contact = {})
       : water(setup(mesh, viscosity), parallel),
         cloth(cloth_),
-        coupling(water.flow, cloth, water.mapping, Kernel::cosine, {}, scheme) {}
+        coupling(water.flow, cloth, water.mapping, Kernel::cosine, {}, scheme, 2, nullptr,
+                 contact) {}
 
   static WaterSetup<D> setup(const Mesh<D>& mesh, double viscosity) {
     WaterSetup<D> s{mesh, {}, 1000, viscosity};

@@ -87,6 +87,7 @@ TEST(SelfWatch, CountsCrossings) {
   whole.cloth = {thread, thread};
   whole.cloth[1].origin = {0.52, 0.3, 0};
   whole.cloth[1].along[0] = Vec<3>::UnitY();
+  whole.contact.scheme = ContactScheme::none;
   Simulation<2> simulation(whole, Parallel());
   SelfWatch<2> watch(simulation);
   EXPECT_EQ(watch.count_crossings().others, 2);
@@ -133,6 +134,8 @@ TEST(Quality, Warnings) {
   whole.domain.sides[1].kind = SideKind::outflow;
   quality.worst = {};
   quality.most_crossings = 50;
+  EXPECT_THAT(quality.warnings(whole), ElementsAre(HasSubstr("in a frame. Contact keeps apart what is not tangled")));
+  whole.contact.scheme = ContactScheme::none;
   EXPECT_THAT(quality.warnings(whole), IsEmpty());
 }
 

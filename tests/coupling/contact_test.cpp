@@ -1,0 +1,138 @@
+#include <gtest/gtest.h>
+
+#include "cloth/crossings.hpp"
+#include "cloth/plate.hpp"
+#include "coupling/pool.hpp"
+
+using namespace washtub;
+using namespace washtub::testing;
+
+namespace {
+
+/// Pushes the first half of the nodes up and the others down, along the last axis.
+template <int D>
+class Squeeze : public NodalForce<D> {
+ public:
+  explicit Squeeze(double force) : force_(force) {}
+  void add(const ClothMoment<D>&, std::vector<Vec<D>>& force) override {
+    for (std::size_t i = 0; i < force.size(); ++i)
+      force[i][D - 1] += i < force.size() / 2 ? force_ : -force_;
+  }
+
+ private:
+  double force_;
+};
+
+/// The least distance between the nodes of the two pieces.
+template <int D>
+double least_distance(const Cloth<D>& cloth) {
+  double least = 1e30;
+  const std::size_t n = cloth.position.size() / 2;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = n; j < 2 * n; ++j)
+      least = std::min(least, (cloth.position[i] - cloth.position[j]).norm());
+  return least;
+}
+
+/// Two pieces, the second over the first, less than two cells apart.
+Cloth<2> two_threads() {
+  std::vector<Vec<2>> where;
+  for (int p = 0; p < 2; ++p)
+    for (int i = 0; i < 9; ++i) where.emplace_back(0.3 + 0.05 * i, 0.48 + 0.05 * p);
+  Cloth<2> cloth;
+  cloth.add(make_thread(9, 0.05, {2e3, 0, 1e-2, 0, 0, 0.5, 1e-3}), where);
+  return cloth;
+}
+
+Cloth<3> two_plates() {
+  std::vector<Vec<3>> where;
+  for (int p = 0; p < 2; ++p)
+    for (int n = 0; n < 25; ++n)
+      where.emplace_back(0.3 + 0.1 * (n % 5), 0.3 + 0.1 * (n / 5), 0.45 + 0.1 * p);
+  Cloth<3> cloth;
+  cloth.add(make_plate({5, 5}, {0.1, 0.1}, {2e3, 100, 1e-2, 1e-2, 0, 0.5, 1e-3}), where);
+  return cloth;
+}
+
+/// In a grid of cells h: with a gap far larger than the default.
+ContactSettings layers(double h, double pressure) {
+  return {ContactScheme::layers, 1.5 * h, pressure, 0, 0.8 * h, 1000 * 8.0 / 3 * h, 6e-3};
+}
+
+template <int D>
+struct Pressed {
+  Pool<D> pool;
+  Crossings worst;
+  int held = 0;
+
+  Pressed(const Mesh<D>& mesh, const Cloth<D>& cloth, double force, Scheme scheme,
+          const ContactSettings& contact, const Parallel& parallel = Parallel())
+      : pool(mesh, 1, cloth, scheme, parallel, contact) {
+    pool.coupling.add(std::make_unique<Squeeze<D>>(force));
+  }
+  void run(int steps, double dt) {
+    for (int i = 0; i < steps; ++i) {
+      held += pool.step(dt).contact.held;
+      const auto found = find_crossings(pool.cloth, pool.water.grid.mesh());
+      worst.others = std::max(worst.others, found.others);
+    }
+  }
+};
+
+Mesh<3> cube() { return cubic_mesh<3>({0, 0, 0}, 1, 16, true); }
+
+}  // namespace
+
+/// Pressed onto each other, sheets come as near as the water between lets them; with contact the
+/// implicit scheme keeps the gap, and all the forces between them are no momentum.
+TEST(ContactInWater, KeepsTheGapBetweenSheets) {
+  constexpr double h = 1.0 / 32, gap = 0.8 * h, impulse = 300 * 9 * 0.4;
+  const auto press = [](const ContactSettings& contact) {
+    Pressed<2> pressed(square(), two_threads(), 300, Scheme::implicit, contact);
+    pressed.run(400, 1e-3);
+    EXPECT_EQ(pressed.worst.others, 0);
+    EXPECT_LT(pressed.pool.momentum().norm(), 1e-5 * impulse);
+    return std::pair(least_distance(pressed.pool.cloth), pressed.held);
+  };
+  EXPECT_LT(press({}).first, 0.8 * gap);
+  const auto [held_distance, held] = press(layers(h, 0));
+  EXPECT_GT(held_distance, 0.9 * gap);
+  EXPECT_GT(held, 0);
+  const auto [repelled_distance, held_then] = press(layers(h, 2e5));
+  EXPECT_GT(repelled_distance, 1.05 * gap);
+  EXPECT_LT(held_then, held);
+}
+
+TEST(ContactInWater, KeepsTheGapBetweenPlates) {
+  constexpr double h = 1.0 / 16;
+  Pressed<3> kept(cube(), two_plates(), 100, Scheme::implicit, layers(h, 0));
+  kept.run(200, 2e-3);
+  EXPECT_EQ(kept.worst.others, 0);
+  EXPECT_GT(kept.held, 0);
+  EXPECT_GT(least_distance(kept.pool.cloth), 0.9 * 0.8 * h);
+  EXPECT_LT(kept.pool.momentum().norm(), 1e-5 * 100 * 25 * 0.4);
+}
+
+TEST(ContactInWater, RepelsInEveryScheme) {
+  constexpr double h = 1.0 / 32;
+  for (const Scheme scheme : {Scheme::implicit, Scheme::explicit_euler, Scheme::broyden}) {
+    Pressed<2> none(square(), two_threads(), 300, scheme, {});
+    Pressed<2> kept(square(), two_threads(), 300, scheme, layers(h, 2e5));
+    none.run(300, 1e-3);
+    kept.run(300, 1e-3);
+    EXPECT_GT(least_distance(kept.pool.cloth), least_distance(none.pool.cloth) + 0.1 * h);
+  }
+}
+
+/// On all ranks together the same as on each alone.
+TEST(ContactInWater, DoesNotDependOnRanks) {
+  constexpr double h = 1.0 / 16;
+  const ContactSettings contact = layers(h, 1000);
+  Pressed<3> together(cube(), two_plates(), 100, Scheme::implicit, contact);
+  Pressed<3> alone(cube(), two_plates(), 100, Scheme::implicit, contact, Parallel(MPI_COMM_SELF));
+  for (auto* pressed : {&together, &alone}) pressed->run(150, 2e-3);
+  EXPECT_GT(together.held, 0);
+  EXPECT_EQ(together.held, alone.held);
+  for (int i = 0; i < 50; ++i)
+    EXPECT_LT((together.pool.cloth.position[i] - alone.pool.cloth.position[i]).norm(), 1e-6);
+}
