@@ -32,7 +32,8 @@ template <int D>
 void measure(benchmark::State& state, const Sheet<D>& sheet, Group<D>& group) {
   ClothSolver<D> solver(sheet);
   typename ClothSolver<D>::Report report;
-  for (auto _ : state) report = solver.solve(group.owned, {group.stiffness, group.target}, group.Y, group.F);
+  for (auto _ : state)
+    report = solver.solve(group.owned, {group.stiffness, group.target}, group.Y, group.F);
   state.counters["newton_steps"] = report.iterations;
   state.counters["factorisations_per_batch"] = report.factorisations * lanes / double(pieces);
   state.counters["failed"] = report.failed;

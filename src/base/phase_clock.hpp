@@ -9,7 +9,8 @@ namespace washtub {
 enum class Phase {
   solids,       ///< their motion and which faces they close
   prediction,   ///< momentum without pressure
-  cloth,        ///< its forces, its implicit solve, its contacts
+  cloth,        ///< its forces and its implicit solve
+  contact,      ///< of cloth with cloth
   exchange,     ///< spreading, interpolation and mobility
   projection,   ///< pressure
   loads,        ///< what the water does to solids

@@ -105,9 +105,9 @@ struct ExactCase {
 
 struct CouplingCase {
   Scheme scheme = Scheme::implicit;
-  Kernel kernel = Kernel::cosine;
-  double marker_spacing = 2;  ///< largest distance between markers, in smallest cell edges
-  double strain_limit = 0.2;  ///< |E| of an edge at which the run stops
+  Kernel kernel = Kernel::roma3;
+  double marker_spacing = 1.5;  ///< largest distance between markers, in smallest cell edges
+  double strain_limit = 0.2;    ///< |E| of an edge at which the run stops
 };
 
 struct ContactCase {
@@ -131,10 +131,10 @@ struct SolverCase {
 };
 
 struct OutputCase {
-  double every = 0;         ///< sample interval of history.csv [s]
-  double frames = 0;        ///< interval of frames [s]; 0 = none
-  double window_begin = 0;  ///< start of the statistics [s]
-  double window_end = 0;    ///< end of the statistics [s]
+  double every = 0;           ///< sample interval of history.csv [s]
+  double frames = 0;          ///< interval of frames [s]; 0 = none
+  double window_begin = 0;    ///< start of the statistics [s]
+  double window_end = 0;      ///< end of the statistics [s]
   double stress_time = 8e-3;  ///< over which strains are low-passed [s]
 };
 

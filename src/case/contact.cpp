@@ -40,20 +40,22 @@ Table<ContactCase> contact_table() {
   Table<ContactCase> table(
       "What cloth does to cloth and solids that it touches. Without cloth it has no effect.");
   table
-      .key("scheme", &ContactCase::scheme,
-           choice<ContactScheme>(
-               {{"layers", ContactScheme::layers}, {"none", ContactScheme::none}}),
-           "layers: cloth repels cloth within a range, keeps a gap and never crosses, and nears and "
-           "slides along solids softly; none: as in the paper, cloth passes through cloth, and "
-           "nodes stop hard at solids")
+      .key(
+          "scheme", &ContactCase::scheme,
+          choice<ContactScheme>({{"layers", ContactScheme::layers}, {"none", ContactScheme::none}}),
+          "layers: cloth repels cloth within a range, keeps a gap and never crosses, and nears and "
+          "slides along solids softly; none: as in the paper, cloth passes through cloth, and "
+          "nodes stop hard at solids")
       .key("range", &ContactCase::range, quantity(measure::length, above(0)),
            "distance within which sheets repel each other")
-      .fallback("1.5 lateral cells; 1 where cloth of that thickness would fill a third of the water")
+      .fallback(
+          "1.5 lateral cells; 1 where cloth of that thickness would fill a third of the water")
       .omitted(layered)
       .key("pressure", &ContactCase::pressure, quantity(measure::pressure, at_least(0)),
            "scale P of the repulsion P (1 - d/range)^2 range/d")
-      .fallback("a quarter of density times the square of the fastest speed, or ten times the "
-                "weight of the heaviest cloth")
+      .fallback(
+          "a quarter of density times the square of the fastest speed, or ten times the "
+          "weight of the heaviest cloth")
       .omitted(layered)
       .key("gap", &ContactCase::gap, quantity(measure::length, above(0)),
            "least distance that sheets keep")

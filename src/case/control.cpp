@@ -31,7 +31,7 @@ Table<CouplingCase> coupling_table() {
           "kernel", &CouplingCase::kernel,
           choice<Kernel>(
               {{"cosine", Kernel::cosine}, {"roma3", Kernel::roma3}, {"peskin4", Kernel::peskin4}}),
-          "smoothed delta function")
+          "smoothed delta function: of three points, or of four as in the paper")
       .key("marker_spacing", &CouplingCase::marker_spacing, number(between(0.25, 1000)),
            "largest distance between the points where cloth meets water, in shortest cell edges; "
            "1000 leaves only the nodes, as in the paper")

@@ -73,8 +73,7 @@ Crossings find_crossings(const Cloth<D>& cloth, const Mesh<D>& mesh) {
   for (const auto& face : surface.faces) faces.push_back(box_about<D>(corners<D>(face, x)));
   double longest = 0;
   for (std::size_t e = 0; e < surface.along; ++e)
-    longest = std::max(longest,
-                       box_about<D>(corners<D>(surface.edges[e], x)).size().maxCoeff());
+    longest = std::max(longest, box_about<D>(corners<D>(surface.edges[e], x)).size().maxCoeff());
   const BoxLists<D> near(faces, mesh, longest);
   Crossings found;
   found.edges = static_cast<long>(surface.along);

@@ -7,8 +7,8 @@ namespace washtub {
 /// Edges of the cloth's mesh of nodes and how many of them pass through cloth.
 struct Crossings {
   long edges = 0;
-  long others = 0;  ///< pass through another piece
-  long own = 0;     ///< pass through their own piece
+  long others = 0;             ///< pass through another piece
+  long own = 0;                ///< pass through their own piece
   std::array<int, 2> first{};  ///< pieces of one crossing, if there is any, from 0
 
   /// Of the edges, those that pass through another piece.

@@ -33,7 +33,8 @@ void find_strains(const Sheet<D>& sheet, std::span<const Vec<D>> X, Strains& out
   for (auto& along : out.along) along.clear();
   out.shear.clear();
   const auto edge = [&](int axis, int i, int j) {
-    const Vec<D> way = position(sheet, X, i + (axis == 0), j + (axis == 1)) - position(sheet, X, i, j);
+    const Vec<D> way =
+        position(sheet, X, i + (axis == 0), j + (axis == 1)) - position(sheet, X, i, j);
     const double ds = sheet.spacing[static_cast<std::size_t>(axis)];
     out.along[static_cast<std::size_t>(axis)].push_back(0.5 * (1 - ds * ds / way.squaredNorm()));
   };
@@ -52,7 +53,8 @@ SteadyStrains<D>::SteadyStrains(const Cloth<D>& cloth, double time)
     : time_(time), pieces_(static_cast<std::size_t>(cloth.pieces())) {
   for (const auto& g : cloth.groups)
     for (int p = 0; p < g.pieces; ++p)
-      find_strains(g.sheet, cloth.piece(g, p), pieces_[static_cast<std::size_t>(g.first_piece + p)]);
+      find_strains(g.sheet, cloth.piece(g, p),
+                   pieces_[static_cast<std::size_t>(g.first_piece + p)]);
 }
 
 template <int D>

@@ -57,8 +57,8 @@ int wrapped(const Sheet<D>& sheet, int axis, int i) {
 
 /// Mean strain of the edges at a node.
 struct EdgeMean {
-  double size = 0;                        ///< of the magnitudes
-  double tension = 0, compression = 0;    ///< of their positive and negative parts
+  double size = 0;                      ///< of the magnitudes
+  double tension = 0, compression = 0;  ///< of their positive and negative parts
   void add(double e, int edges) {
     size += std::fabs(e) / edges;
     (e > 0 ? tension : compression) += std::fabs(e) / edges;

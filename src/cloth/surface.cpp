@@ -123,8 +123,8 @@ template <int D>
 std::array<Vec<2>, D> ClothSurface<D>::rest_of(int face, int piece) const {
   std::array<Vec<2>, D> corners;
   for (std::size_t k = 0; k < D; ++k)
-    corners[k] = rest[faces[face][0]] +
-                 shorter(rest[faces[face][k]] - rest[faces[face][0]], around[piece]);
+    corners[k] =
+        rest[faces[face][0]] + shorter(rest[faces[face][k]] - rest[faces[face][0]], around[piece]);
   return corners;
 }
 

@@ -6,10 +6,10 @@
 namespace washtub {
 namespace {
 
-constexpr double least = 0.02;  // of the smallest spacing, kept even by nodes that start nearer
-constexpr int passes = 3;       // over the surfaces, for corners between them
+constexpr double least = 0.02;      // of the smallest spacing, kept even by nodes that start nearer
+constexpr int passes = 3;           // over the surfaces, for corners between them
 constexpr double rounding = 1e-12;  // of half the widest spacing
-constexpr double clamp = 3;     // how far a pin frees its neighbours, in widest cell edges
+constexpr double clamp = 3;         // how far a pin frees its neighbours, in widest cell edges
 
 }  // namespace
 
@@ -170,8 +170,8 @@ auto Barrier<D>::look(int node, Surface surface, const Vec<D>& x, double dt) con
 template <int D>
 Vec<D> Barrier<D>::way(Surface surface, const Vec<D>& x, double dt) const {
   if (surface < 0) return Vec<D>::Zero();
-  const Vec<3> u = mapping_.poses()[static_cast<std::size_t>(surface)].velocity(
-      in_space<D>(inside(x)));
+  const Vec<3> u =
+      mapping_.poses()[static_cast<std::size_t>(surface)].velocity(in_space<D>(inside(x)));
   return dt * u.template head<D>();
 }
 

@@ -9,9 +9,10 @@ namespace washtub {
 
 /// Keeps cloth out of solids and inside the box: no node comes nearer to a surface than half a
 /// cell, and of what it is farther away than that it loses at most 1 - exp(-dt/soft) in a step, as
-/// lubrication would let it. A node that starts nearer may stay there, but not go deeper. Left alone are pinned nodes,
-/// which may even be inside a solid, and nodes of the same piece that start nearer than half a cell
-/// to a surface and within three cells of a pinned one, so that cloth may be clamped to a solid.
+/// lubrication would let it. A node that starts nearer may stay there, but not go deeper. Left
+/// alone are pinned nodes, which may even be inside a solid, and nodes of the same piece that start
+/// nearer than half a cell to a surface and within three cells of a pinned one, so that cloth may
+/// be clamped to a solid.
 template <int D>
 class Barrier {
  public:
@@ -84,7 +85,7 @@ class Barrier {
 
   const Grid<D>& grid_;
   const DomainMapping<D>& mapping_;
-  double widest_;                  ///< half the largest spacing [m]
+  double widest_;  ///< half the largest spacing [m]
   double soft_;
   double fastest_ = 0;             ///< bound of the speed of any solid's matter in the box [m/s]
   std::vector<double> kept_;       ///< distance to the nearest surface at last [m]

@@ -26,7 +26,8 @@ bool CrossingFilter<D>::find_factors(const std::vector<Pair<D>>& pairs, bool sto
     if (!impact) continue;
     any = true;
     for (const int point : pair.point) {
-      double& f = factor_[static_cast<std::size_t>(surface_.piece[static_cast<std::size_t>(point)])];
+      double& f =
+          factor_[static_cast<std::size_t>(surface_.piece[static_cast<std::size_t>(point)])];
       f = std::min(f, stop ? 0.0 : before * impact->time);
     }
   }
@@ -51,8 +52,8 @@ int CrossingFilter<D>::cut(PairList<D>& list, const std::vector<Vec<D>>& X,
     surface_.place(Y, to_);
   }
   for (const double f : fraction_) shortest_ = std::min(shortest_, f);
-  return static_cast<int>(std::count_if(fraction_.begin(), fraction_.end(),
-                                        [](double f) { return f < 1; }));
+  return static_cast<int>(
+      std::count_if(fraction_.begin(), fraction_.end(), [](double f) { return f < 1; }));
 }
 
 template class CrossingFilter<2>;

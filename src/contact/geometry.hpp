@@ -5,7 +5,8 @@
 
 namespace washtub {
 
-/// Barycentric weights of the point of a segment (in the plane) or triangle (in space) nearest to x.
+/// Barycentric weights of the point of a segment (in the plane) or triangle (in space) nearest to
+/// x.
 std::array<double, 2> nearest_weights(const Vec<2>& x, const std::array<Vec<2>, 2>& segment);
 std::array<double, 3> nearest_weights(const Vec<3>& x, const std::array<Vec<3>, 3>& triangle);
 

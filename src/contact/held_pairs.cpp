@@ -55,8 +55,8 @@ Vec<D> HeldPairs<D>::gap(const Held& held, const std::vector<Vec<D>>& x) const {
   Vec<D> sum = held.pair.shift;  // the weights of the first part add up to one
   for (std::size_t k = 0; k < Pair<D>::points; ++k) {
     const auto point = static_cast<std::size_t>(held.pair.point[k]);
-    sum += held.weight[k] * (x[static_cast<std::size_t>(surface_.node[point])] +
-                             surface_.shift[point]);
+    sum += held.weight[k] *
+           (x[static_cast<std::size_t>(surface_.node[point])] + surface_.shift[point]);
   }
   return sum;
 }
@@ -66,8 +66,8 @@ template <int D>
 Vec<D> HeldPairs<D>::yielding(const Held& held, const HeldStep<D>& step) const {
   Vec<D> sum = Vec<D>::Zero();
   for (std::size_t k = 0; k < Pair<D>::points; ++k) {
-    const auto node = static_cast<std::size_t>(
-        surface_.node[static_cast<std::size_t>(held.pair.point[k])]);
+    const auto node =
+        static_cast<std::size_t>(surface_.node[static_cast<std::size_t>(held.pair.point[k])]);
     sum += held.weight[k] * held.weight[k] * step.stiffness[node].cwiseInverse();
   }
   return sum;
@@ -94,8 +94,8 @@ void HeldPairs<D>::sweep(Held& held, const HeldStep<D>& step, double& worst) {
   held.drag = drag;
   held.change += change;
   for (std::size_t k = 0; k < Pair<D>::points; ++k) {
-    const auto node = static_cast<std::size_t>(
-        surface_.node[static_cast<std::size_t>(held.pair.point[k])]);
+    const auto node =
+        static_cast<std::size_t>(surface_.node[static_cast<std::size_t>(held.pair.point[k])]);
     moved_[node] += held.weight[k] * change.cwiseQuotient(step.stiffness[node]);
   }
 }

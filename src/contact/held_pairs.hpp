@@ -9,10 +9,10 @@ namespace washtub {
 /// Holds parts of the cloth apart that would come nearer than a gap within an implicit step.
 ///
 /// A pair whose straight way would bring it nearer gets, with the normal and weights it has then, a
-/// force lambda >= 0 along that normal, and against sliding one of at most `friction` lambda. All of
-/// them are found by sweeps of projected Gauss-Seidel in the metric of the nodes' inertia (Jourdan,
-/// Alart & Jean 1998); the pieces concerned are then solved again with them. A pair that starts
-/// nearer than the gap has to widen, so that gaps do not dwindle from step to step.
+/// force lambda >= 0 along that normal, and against sliding one of at most `friction` lambda. All
+/// of them are found by sweeps of projected Gauss-Seidel in the metric of the nodes' inertia
+/// (Jourdan, Alart & Jean 1998); the pieces concerned are then solved again with them. A pair that
+/// starts nearer than the gap has to widen, so that gaps do not dwindle from step to step.
 template <int D>
 class HeldPairs {
  public:

@@ -128,13 +128,11 @@ template <int D>
 void Repulsion<D>::list_faces_near(int face, const BoxLists<D>& faces) {
   about_.clear();
   const Vec<D> far = Vec<D>::Constant(set_.range + skin_ + radius_[face]);
-  faces.for_overlaps({centre_[face] - far, centre_[face] + far},
-                     [&](std::size_t f, const Vec<D>&) {
-                       const int other = static_cast<int>(f);
-                       const double apart_by = to_nearest(centre_[face] - centre_[other]).norm();
-                       if (apart_by < far[0] + radius_[other] && apart(face, other))
-                         about_.push_back(other);
-                     });
+  faces.for_overlaps({centre_[face] - far, centre_[face] + far}, [&](std::size_t f, const Vec<D>&) {
+    const int other = static_cast<int>(f);
+    const double apart_by = to_nearest(centre_[face] - centre_[other]).norm();
+    if (apart_by < far[0] + radius_[other] && apart(face, other)) about_.push_back(other);
+  });
 }
 
 /// Lists those of them that may become the nearest on their side.
@@ -242,7 +240,8 @@ void Repulsion<D>::measure_faces() {
     centre_[f].setZero();
     for (const int point : face) centre_[f] += x_[point] / D;
     double squares = 0;
-    for (const int point : face) squares = std::max(squares, (x_[point] - centre_[f]).squaredNorm());
+    for (const int point : face)
+      squares = std::max(squares, (x_[point] - centre_[f]).squaredNorm());
     radius_[f] = std::sqrt(squares);
   }
 }

@@ -92,12 +92,12 @@ class Repulsion : public NodalForce<D> {
   std::vector<Near> near_;
   std::vector<int> about_;  ///< faces near one face
 
-  std::vector<Vec<D>> x_, v_;         ///< of the points now [m], [m/s]
-  std::vector<Vec<D>> centre_;        ///< of each face [m]
-  std::vector<Vec<D>> normal_;        ///< of each face, unit length
-  std::vector<Vec<D>> sum_;           ///< force of each node [N]
-  std::vector<double> radius_;        ///< of each face about its centre [m]
-  Vec<D> period_;                     ///< of the box along each axis [m]; 0: none
+  std::vector<Vec<D>> x_, v_;   ///< of the points now [m], [m/s]
+  std::vector<Vec<D>> centre_;  ///< of each face [m]
+  std::vector<Vec<D>> normal_;  ///< of each face, unit length
+  std::vector<Vec<D>> sum_;     ///< force of each node [N]
+  std::vector<double> radius_;  ///< of each face about its centre [m]
+  Vec<D> period_;               ///< of the box along each axis [m]; 0: none
 };
 
 }  // namespace washtub

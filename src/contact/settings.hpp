@@ -14,7 +14,8 @@ struct ContactSettings {
   double pressure = 0;  ///< P of the repulsion [Pa]
   double rise = 0;      ///< time over which it rises at the start [s]
   double gap = 0;       ///< that sheets keep [m]
-  /// Water that the cloth carries along, over its area [kg/m^2]: bounds what an explicit force does.
+  /// Water that the cloth carries along, over its area [kg/m^2]: bounds what an explicit force
+  /// does.
   double areal_mass = 0;
   /// A node closes at most 1 - exp(-dt/solid_time) of its gap to a solid in a step [s]; 0: all.
   double solid_time = 0;

@@ -5,8 +5,8 @@
 namespace washtub {
 
 template <int D>
-CoupledStep<D>::CoupledStep(Flow<D>& flow_, Cloth<D>& cloth_)
-    : flow(flow_), cloth(cloth_), inertia(cloth_) {
+CoupledStep<D>::CoupledStep(Flow<D>& flow_, Cloth<D>& cloth_, PhaseClock* clock_)
+    : clock(clock_), flow(flow_), cloth(cloth_), inertia(cloth_) {
   for (const auto& g : cloth.groups)
     for (int p = 0; p < g.pieces; ++p)
       for (const int node : g.pinned) pinned.push_back(g.node(p, node));

@@ -2,6 +2,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/phase_clock.hpp"
 #include "cloth/nodal_force.hpp"
 #include "contact/barrier.hpp"
 #include "contact/contact.hpp"
@@ -28,7 +29,8 @@ template <int D>
 struct CoupledStep {
   using Nodes = std::vector<Vec<D>>;
 
-  CoupledStep(Flow<D>& flow, Cloth<D>& cloth);
+  /// `clock`: where the time goes; may be null.
+  CoupledStep(Flow<D>& flow, Cloth<D>& cloth, PhaseClock* clock);
 
   double dt() const { return flow.step(); }  ///< [s]
   /// cloth.elastic = -dW/dX(X).
@@ -40,6 +42,7 @@ struct CoupledStep {
   /// Largest strain of the cloth at `next`, into the report.
   void measure_strain();
 
+  PhaseClock* clock;
   Flow<D>& flow;
   Cloth<D>& cloth;
   Inertia<D> inertia;

@@ -22,9 +22,8 @@ template <int D>
 Coupling<D>::Coupling(Flow<D>& flow, Cloth<D>& cloth, const DomainMapping<D>& mapping,
                       Kernel kernel, const SidePairs<D>& sides, Scheme scheme,
                       double marker_spacing, PhaseClock* clock, const ContactSettings& contact)
-    : clock_(clock),
-      mapping_(mapping),
-      step_(flow, cloth),
+    : mapping_(mapping),
+      step_(flow, cloth, clock),
       boundary_(flow.grid(), cloth, kernel, sides, marker_spacing),
       barrier_(flow.grid(), mapping, cloth, contact.solid_time),
       surface_(cloth),
@@ -32,8 +31,8 @@ Coupling<D>::Coupling(Flow<D>& flow, Cloth<D>& cloth, const DomainMapping<D>& ma
       place_of_mobility_(cloth.position.size(), Vec<D>::Zero()),
       pin_force_(step_.pinned.size()) {
   if (contact.scheme == ContactScheme::layers) {
-    const auto &mesh = flow.grid().mesh();
-    const auto &parallel = flow.grid().parallel();
+    const auto& mesh = flow.grid().mesh();
+    const auto& parallel = flow.grid().parallel();
     contact_.emplace(surface_, cloth, mesh, parallel, contact);
     add(std::make_unique<Repulsion<D>>(surface_, mesh, parallel, contact,
                                        friction_of_groups(cloth)));
@@ -76,7 +75,7 @@ void Coupling<D>::find_pins() {
 /// Velocity of the projected water at the nodes.
 template <int D>
 void Coupling<D>::find_velocity() {
-  const InPhase interpolating(clock_, Phase::exchange);
+  const InPhase interpolating(step_.clock, Phase::exchange);
   boundary_.interpolate(step_.flow.velocity(), step_.water);
   double leak = 0;
   for (const int node : step_.pinned) leak += step_.water[node].squaredNorm();
@@ -105,8 +104,11 @@ void Coupling<D>::push() {
   if (scheme_->needs_provisional() || !step_.pinned.empty()) find_water();
   find_pins();
   {
-    const InPhase solving(clock_, Phase::cloth);
+    const InPhase touching(step_.clock, Phase::contact);
     step_.find_given();
+  }
+  {
+    const InPhase solving(step_.clock, Phase::cloth);
     scheme_->push();
   }
   spread_force();
@@ -118,9 +120,9 @@ bool Coupling<D>::again() {
   require(stage_ == Stage::pushed && !step_.flow.predicted(),
           "again(): only after push() and Flow::project()");
   if (scheme_->needs_projected()) find_velocity();
-  const InPhase solving(clock_, Phase::cloth);
+  const InPhase solving(step_.clock, Phase::cloth);
   if (scheme_->again()) {
-    const InPhase spreading(clock_, Phase::exchange);
+    const InPhase spreading(step_.clock, Phase::exchange);
     spread_force();
     return true;
   }
@@ -135,13 +137,16 @@ typename Coupling<D>::Report Coupling<D>::move(bool measure_slip) {
   auto& next = step_.next;
   auto& report = step_.report;
   const double dt = step_.dt();
-  const InPhase moving(clock_, Phase::cloth);
+  const InPhase moving(step_.clock, Phase::cloth);
   scheme_->move();
   for (const int node : step_.pinned) next[node] = cloth.position[node];
   const int held = report.barrier.touched;  // by the scheme
   report.barrier = barrier_.accept(next, dt);
   report.barrier.touched += held;
-  if (contact_) report.contact = contact_->end(cloth.position, next);
+  if (contact_) {
+    const InPhase touching(step_.clock, Phase::contact);
+    report.contact = contact_->end(cloth.position, next);
+  }
   cloth.velocity_before = cloth.velocity;
   for (std::size_t i = 0; i < next.size(); ++i) {
     cloth.velocity[i] = (next[i] - cloth.position[i]) / dt;

@@ -71,7 +71,6 @@ class Coupling {
   void spread_force();
   void measure_slip();
 
-  PhaseClock* clock_;
   const DomainMapping<D>& mapping_;
   CoupledStep<D> step_;
   ImmersedBoundary<D> boundary_;

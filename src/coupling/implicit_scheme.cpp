@@ -92,9 +92,9 @@ void ImplicitScheme<D>::solve_group(std::size_t g, const std::vector<int>& piece
   const auto first = static_cast<std::size_t>(group.first_node);
   const auto n = static_cast<std::size_t>(group.nodes());
   const auto own = [&](auto& nodes) { return std::span(nodes).subspan(first, n); };
-  const auto found =
-      solvers_[g]->solve(pieces, {own(stiffness_), own(target_), own(step_.cloth.position), step_.dt()},
-                         own(step_.next), own(step_.cloth.elastic));
+  const auto found = solvers_[g]->solve(
+      pieces, {own(stiffness_), own(target_), own(step_.cloth.position), step_.dt()},
+      own(step_.next), own(step_.cloth.elastic));
   const auto& parallel = step_.flow.grid().parallel();
   const double failed = parallel.max(found.failed >= 0 ? group.first_piece + found.failed : -1);
   if (failed >= 0)
@@ -129,7 +129,10 @@ void ImplicitScheme<D>::hold_off() {
     std::fill(pushed_.begin(), pushed_.end(), 0);
     HeldStep<D> step{step_.dt(), step_.cloth.position, step_.next, inertia_, push_, pushed_};
     solids_.hold(step);
-    if (contact_) contact_->hold(step);
+    if (contact_) {
+      const InPhase touching(step_.clock, Phase::contact);
+      contact_->hold(step);
+    }
     if (!bind_pushed()) break;
     solve_again();
   }

@@ -43,15 +43,15 @@ class ImplicitScheme : public CouplingScheme<D> {
   std::vector<std::vector<int>> mine_;  ///< pieces of each group that this rank solves
   SolidHold<D> solids_;
   Contact<D>* contact_;
-  Nodes inertia_;                       ///< m/dt^2 [N/m]
-  Nodes free_;                          ///< Z of nodes that nothing holds [m]
-  Nodes push_;                          ///< of parts of the cloth on each other [N]
-  std::vector<Mat<D>> stiffness_;       ///< m/dt^2 and what holds the node [N/m]
-  Nodes target_;                        ///< where both together draw it [m]
-  std::vector<char> pushed_;            ///< nodes whose hold has changed
-  std::vector<int> piece_;              ///< of each node, among all pieces
-  std::vector<char> stale_;             ///< pieces that have to be solved again
-  std::vector<int> pieces_;             ///< of a group that this rank solves again
+  Nodes inertia_;                  ///< m/dt^2 [N/m]
+  Nodes free_;                     ///< Z of nodes that nothing holds [m]
+  Nodes push_;                     ///< of parts of the cloth on each other [N]
+  std::vector<Mat<D>> stiffness_;  ///< m/dt^2 and what holds the node [N/m]
+  Nodes target_;                   ///< where both together draw it [m]
+  std::vector<char> pushed_;       ///< nodes whose hold has changed
+  std::vector<int> piece_;         ///< of each node, among all pieces
+  std::vector<char> stale_;        ///< pieces that have to be solved again
+  std::vector<int> pieces_;        ///< of a group that this rank solves again
 };
 
 }  // namespace washtub

@@ -5,9 +5,9 @@ namespace washtub {
 template <int D>
 void Inertia<D>::find_lagging(double before) {
   for (std::size_t i = 0; i < force_.size(); ++i)
-    force_[i] = before > 0 ? Vec<D>(-mass_[i] / before *
-                                    (cloth_.velocity[i] - cloth_.velocity_before[i]))
-                           : Vec<D>(Vec<D>::Zero());
+    force_[i] = before > 0
+                    ? Vec<D>(-mass_[i] / before * (cloth_.velocity[i] - cloth_.velocity_before[i]))
+                    : Vec<D>(Vec<D>::Zero());
 }
 
 template <int D>

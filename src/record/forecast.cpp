@@ -146,7 +146,8 @@ class Beginning {
     const auto& after = simulation_.clock().spent();
     for (std::size_t p = 0; p < phases; ++p) {
       const Phase phase = static_cast<Phase>(p);
-      const bool cloth = phase == Phase::cloth || phase == Phase::exchange;
+      const bool cloth =
+          phase == Phase::cloth || phase == Phase::contact || phase == Phase::exchange;
       (cloth ? trial_.cloth_step : trial_.step) += (after[p] - before[p]) / n;
     }
     const auto& last = simulation_.last();

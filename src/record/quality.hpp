@@ -11,10 +11,10 @@ namespace washtub {
 
 /// What a run has shown of its own quality.
 struct Quality {
-  Resolution worst;         ///< of all rows
-  EnergyBalance balance;    ///< over all rows; of closed boxes only
-  Crossings crossings;      ///< in the last frame
-  long most_crossings = 0;  ///< edges through another piece, most in a frame
+  Resolution worst;             ///< of all rows
+  EnergyBalance balance;        ///< over all rows; of closed boxes only
+  Crossings crossings;          ///< in the last frame
+  long most_crossings = 0;      ///< edges through another piece, most in a frame
   long most_own_crossings = 0;  ///< edges through their own piece, likewise
 
   /// One sentence or paragraph on each thing that is not as it should be.

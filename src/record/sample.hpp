@@ -42,9 +42,9 @@ struct VelocityError {
 
 /// Centre and stress of one piece of cloth.
 struct PieceSample {
-  Vec<2> centre;        ///< (r, z) [m]
-  StressParts stress;   ///< area means, membrane strains low-passed [Pa]
-  double tension = 0;   ///< its membrane part along edges, of those that are stretched [Pa]
+  Vec<2> centre;           ///< (r, z) [m]
+  StressParts stress;      ///< area means, membrane strains low-passed [Pa]
+  double tension = 0;      ///< its membrane part along edges, of those that are stretched [Pa]
   double compression = 0;  ///< of those that are compressed [Pa]
   double raw_stress = 0;   ///< the total with the strains of the instant [Pa]
 };
@@ -55,12 +55,12 @@ struct Sample {
   StepSample step;
   std::vector<SolidSample> solids;
   std::vector<PieceSample> pieces;
-  StressParts stress;              ///< mean over the pieces [Pa]
+  StressParts stress;                                   ///< mean over the pieces [Pa]
   double tension = 0, compression = 0, raw_stress = 0;  ///< likewise
-  Vec<2> centre = Vec<2>::Zero();  ///< (r, z) of all pieces [m]
-  std::vector<Vec<3>> probes;      ///< places of the case's probes [m]
-  double enclosed_area = 0;        ///< mean over the rings [m^2]
-  VelocityError error;             ///< from the exact velocity, where the case gives one
+  Vec<2> centre = Vec<2>::Zero();                       ///< (r, z) of all pieces [m]
+  std::vector<Vec<3>> probes;                           ///< places of the case's probes [m]
+  double enclosed_area = 0;                             ///< mean over the rings [m^2]
+  VelocityError error;  ///< from the exact velocity, where the case gives one
   QualitySample quality;
 };
 

@@ -138,10 +138,10 @@ void refuse_tangled(const Cloth<D>& cloth, const Case& whole) {
   if (contact.scheme == ContactScheme::none) return;
   const auto found = find_too_near(cloth, build_mesh<D>(whole), contact.gap);
   if (!found) return;
-  const std::string who = found->first == found->second
-                              ? fmt::format("piece {} starts", found->first + 1)
-                              : fmt::format("pieces {} and {} start", found->first + 1,
-                                            found->second + 1);
+  const std::string who =
+      found->first == found->second
+          ? fmt::format("piece {} starts", found->first + 1)
+          : fmt::format("pieces {} and {} start", found->first + 1, found->second + 1);
   const std::string how =
       found->distance > 0
           ? fmt::format("{} {:.3g} mm from {}, allowed: at least {:.3g} mm (contact.gap)", who,
@@ -149,9 +149,10 @@ void refuse_tangled(const Cloth<D>& cloth, const Case& whole) {
                         found->first == found->second ? "itself" : "each other", 1e3 * contact.gap)
           : fmt::format("{} by passing through {}", who,
                         found->first == found->second ? "itself" : "each other");
-  throw InputError(fmt::format("cloth: {}; try another start of the cloth, such as a larger "
-                               "cloth.clearance or fewer pieces, or contact.scheme = \"none\"",
-                               how));
+  throw InputError(
+      fmt::format("cloth: {}; try another start of the cloth, such as a larger "
+                  "cloth.clearance or fewer pieces, or contact.scheme = \"none\"",
+                  how));
 }
 
 }  // namespace

@@ -48,8 +48,7 @@ Simulation<D>::Simulation(const Case& whole, const Parallel& parallel, Archive* 
                       whole.coupling.scheme, whole.coupling.marker_spacing, &clock_,
                       build_contact(whole));
   if (coupling_)
-    coupling_->add(
-        std::make_unique<Weight<D>>(cloth_, whole.fluid.gravity.template head<D>()));
+    coupling_->add(std::make_unique<Weight<D>>(cloth_, whole.fluid.gravity.template head<D>()));
   find_surface_momenta();
 }
 

@@ -102,8 +102,7 @@ TEST(ClothSolver, PieceDoesNotDependOnItsCompany) {
   Group<3> alone = together;
   ClothSolver<3> solver(sheet);
   together.solve(solver);
-  for (const int p : {0, 5, 10})
-    alone.solve(solver, {p});
+  for (const int p : {0, 5, 10}) alone.solve(solver, {p});
   const int n = sheet.nodes();
   for (const int p : {0, 5, 10})
     for (int x = p * n; x < (p + 1) * n; ++x)

@@ -78,7 +78,8 @@ TEST(Barrier, ReportsTheDepthBeforeNodesWereHeld) {
   Barrier<2> barrier(room.grid, room.mapping, dots(X));
   X = {{0.5, 0.67}, {0.15, 0.01}};
   for (int round = 0; round < 3; ++round)
-    for (const auto& contact : barrier.find(X, 0.1)) X[contact.node] = moved_off(contact, X[contact.node]);
+    for (const auto& contact : barrier.find(X, 0.1))
+      X[contact.node] = moved_off(contact, X[contact.node]);
   const auto report = barrier.accept(X, 0.1);
   EXPECT_NEAR(report.depth, 0.03, 1e-9);  // of the disc; the other node stays above the floor
   EXPECT_EQ(report.penetration, 0);

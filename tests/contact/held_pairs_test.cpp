@@ -111,8 +111,7 @@ TEST(HeldPairs, RubsByCoulombsLaw) {
     Vec<2> on_upper = Vec<2>::Zero();
     double way = 0;
     for (std::size_t i = 6; i < 12; ++i) on_upper += loose.push[i];
-    for (std::size_t i = 0; i < 6; ++i)
-      way += (loose.next[i + 6][0] - loose.next[i][0] - 0.03) / 6;
+    for (std::size_t i = 0; i < 6; ++i) way += (loose.next[i + 6][0] - loose.next[i][0] - 0.03) / 6;
     return std::array{way, -on_upper[0] / on_upper[1]};
   };
   EXPECT_NEAR(slid(0)[0], 0.002, 1e-12);

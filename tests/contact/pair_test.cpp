@@ -70,17 +70,18 @@ TEST(Pair, FindsTheNearestPoints) {
 }
 
 TEST(Pair, KnowsParallelEdgesAndEdgesThatAreOne) {
-  const Pair<3>::Places beside = {
-      Vec<3>(0, 0, 0), Vec<3>(1, 0, 0), Vec<3>(0.8, 0.3, 0), Vec<3>(5, 0.3, 0)};
+  const Pair<3>::Places beside = {Vec<3>(0, 0, 0), Vec<3>(1, 0, 0), Vec<3>(0.8, 0.3, 0),
+                                  Vec<3>(5, 0.3, 0)};
   EXPECT_NEAR(nearest<3>(2, beside).gap.norm(), 0.3, 1e-12);
-  const Pair<3>::Places behind = {
-      Vec<3>(0, 0, 0), Vec<3>(1, 0, 0), Vec<3>(3, 0, 0), Vec<3>(2, 0, 0)};
+  const Pair<3>::Places behind = {Vec<3>(0, 0, 0), Vec<3>(1, 0, 0), Vec<3>(3, 0, 0),
+                                  Vec<3>(2, 0, 0)};
   EXPECT_NEAR(nearest<3>(2, behind).gap.norm(), 1, 1e-12);
 }
 
 /// A point that falls onto a triangle, and two edges that pass each other crosswise.
 TEST(Pair, MeetsWhenAnalysisSaysSo) {
-  const Pair<3>::Places x = {Vec<3>(0.2, 0.2, 1), Vec<3>(0, 0, 0), Vec<3>(1, 0, 0), Vec<3>(0, 1, 0)};
+  const Pair<3>::Places x = {Vec<3>(0.2, 0.2, 1), Vec<3>(0, 0, 0), Vec<3>(1, 0, 0),
+                             Vec<3>(0, 1, 0)};
   Pair<3>::Places way{};
   for (auto& u : way) u = Vec<3>(3, 4, 5);  // the common motion does not matter
   way[0] += Vec<3>(0, 0, -2);

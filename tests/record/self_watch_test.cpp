@@ -134,7 +134,8 @@ TEST(Quality, Warnings) {
   whole.domain.sides[1].kind = SideKind::outflow;
   quality.worst = {};
   quality.most_crossings = 50;
-  EXPECT_THAT(quality.warnings(whole), ElementsAre(HasSubstr("in a frame. Contact keeps apart what is not tangled")));
+  EXPECT_THAT(quality.warnings(whole),
+              ElementsAre(HasSubstr("in a frame. Contact keeps apart what is not tangled")));
   whole.contact.scheme = ContactScheme::none;
   EXPECT_THAT(quality.warnings(whole), IsEmpty());
 }

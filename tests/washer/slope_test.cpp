@@ -12,8 +12,7 @@ namespace {
 /// A heavy cloth on the floor of a box that is tilted, in a fluid that hardly matters.
 Case slope(double degrees, double friction) {
   const double angle = degrees * std::numbers::pi / 180;
-  return read_case_text(
-      fmt::format(R"(
+  return read_case_text(fmt::format(R"(
 [fluid]
 density = "0.01 kg/m^3"
 viscosity = "1e-6 Pa s"
@@ -38,8 +37,8 @@ solid_friction = {}
 end = "60 s"
 step = "5 ms"
 )",
-                  9.81 * std::sin(angle), -9.81 * std::cos(angle), friction),
-      "slope");
+                                    9.81 * std::sin(angle), -9.81 * std::cos(angle), friction),
+                        "slope");
 }
 
 double middle(const Simulation<3>& simulation) {
