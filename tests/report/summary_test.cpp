@@ -72,7 +72,7 @@ class Recorded {
 };
 
 TEST(Summary, TellsWhereTheTimeWent) {
-  const PhaseTimes times = {1, 0, 0.5, 0, 2, 0, 0, 0, 0.5};
+  const PhaseTimes times = {1, 0, 0.5, 0, 0, 2, 0, 0, 0, 0.5};
   EXPECT_EQ(phases_text(times),
             "solids 1 s (25 %), cloth 0.5 s (12 %), projection 2 s (50 %), rest 0.5 s (12 %)");
   const RunEnd end{.outcome = "complete", .phases = times};

@@ -52,6 +52,7 @@ TEST(Overstrained, EndsARun) {
   whole.cloth = {ring};
   whole.coupling.strain_limit = 0.02;
   whole.time.end = 1;
+  whole.time.step = 1e-4;
   Simulation<2> simulation(whole, Parallel());
   try {
     simulation.step(1);
