@@ -17,7 +17,8 @@ std::string message(double height, const std::string& scheme) {
            "bending_stiffness = \"1e-4 N m\"\nthickness = \"1 mm\"\n";
   };
   const Case whole = read_case_text(
-      "dimension = 2\n[domain]\nsize = [\"1 m\", \"1 m\"]\ncells = 32\n[time]\nend = \"1 s\"\n" +
+      "dimension = 2\n[fluid]\nviscosity = \"1 Pa s\"\n[domain]\nsize = [\"1 m\", \"1 m\"]\ncells "
+      "= 32\n[time]\nend = \"1 s\"\n" +
           sheet(0.5) + sheet(0.5 + height) + "[contact]\nscheme = \"" + scheme + "\"\n",
       "two");
   try {
