@@ -33,7 +33,7 @@ template <int D>
 void Contact<D>::hold(HeldStep<D>& step) {
   if (!surface_.place(step.start, from_) || !surface_.place(step.next, to_)) return;
   list_.cover(from_, to_, gap_);
-  held_.hold(list_.pairs(), step);
+  held_.hold(list_, step);
 }
 
 template <int D>

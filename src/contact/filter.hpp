@@ -19,7 +19,8 @@ class CrossingFilter {
   double shortest() const { return shortest_; }
 
  private:
-  bool find_factors(const std::vector<Pair<D>>& pairs, bool stop);
+  bool look(const Pair<D>& pair, bool stop);
+  bool find_factors(const PairList<D>& list, bool stop);
 
   const ClothSurface<D>& surface_;
   Parallel parallel_;

@@ -101,11 +101,11 @@ void HeldPairs<D>::sweep(Held& held, const HeldStep<D>& step, double& worst) {
 }
 
 template <int D>
-void HeldPairs<D>::hold(const std::vector<Pair<D>>& pairs, HeldStep<D>& step) {
+void HeldPairs<D>::hold(const PairList<D>& list, HeldStep<D>& step) {
   surface_.place(step.start, from_);
   surface_.place(step.next, to_);
   found_.clear();
-  for (const auto& pair : pairs) look(pair, from_, to_);
+  list.for_near(gap_, [&](const Pair<D>& pair) { look(pair, from_, to_); });
   gather();
   if (held_.empty()) return;
   moved_ = step.next;

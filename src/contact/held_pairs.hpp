@@ -26,8 +26,8 @@ class HeldPairs {
   void start() { held_.clear(); }
   /// Looks at the way from `start` to `next`; on return step.push has changed, and the nodes are
   /// marked, unless all pairs are far enough apart (collective).
-  /// @param pairs  of this rank, all that can come near on that way
-  void hold(const std::vector<Pair<D>>& pairs, HeldStep<D>& step);
+  /// @param list  covers that way for the gap
+  void hold(const PairList<D>& list, HeldStep<D>& step);
   int count() const { return static_cast<int>(held_.size()); }
 
  private:

@@ -37,10 +37,12 @@ double farthest(const std::vector<Vec<D>>& x, const std::vector<Vec<D>>& y) {
 
 template <int D>
 void PairList<D>::cover(const std::vector<Vec<D>>& x, const std::vector<Vec<D>>& y, double least) {
-  const bool listed = where_.size() == x.size();
-  if (listed && least + 2 * std::max(farthest<D>(where_, x), farthest<D>(where_, y)) <= reach_)
-    return;
-  reach_ = least + 2 * farthest<D>(x, y) + skin_;
+  if (where_.size() == x.size()) {
+    slack_ = 2 * std::max(farthest<D>(where_, x), farthest<D>(where_, y));
+    if (least + slack_ <= reach_) return;
+  }
+  slack_ = 2 * farthest<D>(x, y);
+  reach_ = least + slack_ + skin_;
   list(x);
 }
 
@@ -48,6 +50,7 @@ template <int D>
 void PairList<D>::list(const std::vector<Vec<D>>& x) {
   where_ = x;
   pairs_.clear();
+  distance_.clear();
   list_nodes(x);
   if constexpr (D == 3) list_edges(x);
 }
@@ -67,7 +70,10 @@ void PairList<D>::add(const Pair<D>& pair, const std::vector<Vec<D>>& x) {
   for (int a = 0; a < pair.split; ++a)
     for (std::size_t b = static_cast<std::size_t>(pair.split); b < Pair<D>::points; ++b)
       if (joined(pair.point[static_cast<std::size_t>(a)], pair.point[b])) return;
-  if (nearest<D>(pair.split, pair.places(x)).gap.norm() < reach_) pairs_.push_back(pair);
+  const double d = nearest<D>(pair.split, pair.places(x)).gap.norm();
+  if (d >= reach_) return;
+  pairs_.push_back(pair);
+  distance_.push_back(d);
 }
 
 template <int D>

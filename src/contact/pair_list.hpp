@@ -35,6 +35,18 @@ class PairList {
   /// straight from x to y.
   void cover(const std::vector<Vec<D>>& x, const std::vector<Vec<D>>& y, double least);
   const std::vector<Pair<D>>& pairs() const { return pairs_; }
+  /// Calls visit(pair) for those that may come within `least` [m] on that way.
+  template <class Visit>
+  void for_near(double least, Visit&& visit) const {
+    for (std::size_t k = 0; k < pairs_.size(); ++k)
+      if (distance_[k] - slack_ <= least) visit(pairs_[k]);
+  }
+  /// Calls visit(pair) for those that may come to within `part` of their distance on that way.
+  template <class Visit>
+  void for_closing(double part, Visit&& visit) const {
+    for (std::size_t k = 0; k < pairs_.size(); ++k)
+      if (distance_[k] - slack_ <= part * (distance_[k] + slack_)) visit(pairs_[k]);
+  }
 
  private:
   void list(const std::vector<Vec<D>>& x);
@@ -49,8 +61,10 @@ class PairList {
   double skin_;
   Share share_;
   double reach_ = 0;           ///< distance up to which pairs were listed [m]
+  double slack_ = 0;           ///< by how much distances may have changed since, or will [m]
   std::vector<Vec<D>> where_;  ///< the points were then [m]
   std::vector<Pair<D>> pairs_;
+  std::vector<double> distance_;  ///< of each when it was listed [m]
 };
 
 }  // namespace washtub
