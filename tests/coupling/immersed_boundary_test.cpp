@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 #include "cloth/plate.hpp"
-#include "support/dots.hpp"
+#include "coupling/faces.hpp"
 
 using namespace washtub;
 using namespace washtub::testing;

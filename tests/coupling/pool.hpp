@@ -4,7 +4,7 @@
 
 #include "cloth/thread.hpp"
 #include "coupling/coupling.hpp"
-#include "support/dots.hpp"
+#include "coupling/faces.hpp"
 #include "support/water_box.hpp"
 
 namespace washtub::testing {
