@@ -113,7 +113,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Restart{"outflow", "verification/cylinder/case.toml", {}}),
     [](const auto& info) { return info.param.name; });
 
-/// What several ranks have written one rank takes up, to round-off.
+/// What several ranks have written one rank takes up, to what the cloth's solve leaves: 1e-10 of a
+/// node spacing, 4e-12 m, in each of twenty steps.
 TEST(Restarts, OnAnotherNumberOfRanks) {
   const Case whole = read_case("cases/wash-3d/case.toml",
                                {"domain.cells=16", "cloth.count=4", "cloth.nodes=[5, 5]"});
@@ -133,10 +134,10 @@ TEST(Restarts, OnAnotherNumberOfRanks) {
   for (std::size_t i = 0; i < straight.cloth().position.size(); ++i)
     largest =
         std::max(largest, (straight.cloth().position[i] - resumed.cloth().position[i]).norm());
-  EXPECT_LT(largest, 1e-11);
-  EXPECT_NEAR(straight.last().kinetic, resumed.last().kinetic, 1e-9 * resumed.last().kinetic);
-  EXPECT_NEAR(straight.take_impulse(1).moment, resumed.take_impulse(1).moment,
-              1e-8 * std::abs(resumed.last().kinetic));
+  EXPECT_LT(largest, 1e-9);
+  EXPECT_NEAR(straight.last().kinetic, resumed.last().kinetic, 1e-7 * resumed.last().kinetic);
+  const double moment = resumed.take_impulse(1).moment;
+  EXPECT_NEAR(straight.take_impulse(1).moment, moment, 1e-6 * std::abs(moment));
 }
 
 /// Water and cloth are those of the other run; time, solids and viscosity this one's.
