@@ -18,8 +18,9 @@ void run_to(Simulation<3>& simulation, double end) {
   while (simulation.time() < end - 1e-9) simulation.step(end);
 }
 
-/// Beyond round-off: on this grid a quarter of the nodes touch solids from the start, and what binds
-/// them, 1e4 times as stiff as they are, leaves 1e-12 m in each solve, which fifty steps amplify.
+/// Beyond round-off: on this grid a quarter of the nodes touch solids from the start, and what
+/// binds them, 1e4 times as stiff as they are, leaves 1e-12 m in each solve, which fifty steps
+/// amplify.
 TEST(Simulation, DoesNotDependOnTheRanks) {
   const Case whole = small_wash();
   Simulation<3> serial(whole, Parallel(MPI_COMM_SELF)), parallel(whole, Parallel());
