@@ -41,7 +41,7 @@ class Parallel {
   /// Replaces a list by those of all ranks, one after the other.
   template <class T>
   void gather(std::vector<T>& list) const {
-    static_assert(std::is_trivially_copyable_v<T> || std::is_trivially_destructible_v<T>);
+    static_assert(std::is_trivially_destructible_v<T>, "bytes are all that is sent");
     const int mine = static_cast<int>(list.size() * sizeof(T));
     std::vector<int> bytes(static_cast<std::size_t>(size_)), first(bytes.size());
     MPI_Allgather(&mine, 1, MPI_INT, bytes.data(), 1, MPI_INT, comm_);

@@ -78,6 +78,7 @@ void check_case(const CaseFile& file, const Node& root) {
   check_times(file.result, root);
   check_cloth(file, root);
   check_probes(file.result, root);
+  check_contact(file.result, root);
 }
 
 }  // namespace washtub

@@ -6,7 +6,7 @@
 namespace washtub {
 namespace {
 
-bool layered(const ContactCase& contact, int) { return contact.scheme != ContactScheme::layers; }
+bool unused(const ContactCase& contact, int) { return contact.scheme != ContactScheme::layers; }
 
 /// Area of all cloth [m^2]; in 2-D length [m].
 double cloth_area(const Case& whole) {
@@ -50,21 +50,30 @@ Table<ContactCase> contact_table() {
            "distance within which sheets repel each other")
       .fallback(
           "1.5 lateral cells; 1 where cloth of that thickness would fill a third of the water")
-      .omitted(layered)
+      .omitted(unused)
       .key("pressure", &ContactCase::pressure, quantity(measure::pressure, at_least(0)),
            "scale P of the repulsion P (1 - d/range)^2 range/d")
       .fallback(
           "a quarter of density times the square of the fastest speed, or ten times the "
           "weight of the heaviest cloth")
-      .omitted(layered)
+      .omitted(unused)
       .key("gap", &ContactCase::gap, quantity(measure::length, above(0)),
            "least distance that sheets keep")
       .fallback("a tenth of a lateral cell, or the cloth's thickness")
-      .omitted(layered)
+      .omitted(unused)
       .key("solid_time", &ContactCase::solid_time, quantity(measure::time, at_least(0)),
            "time constant with which a node may near a solid; 0 s: it stops at half a cell")
-      .omitted(layered);
+      .omitted(unused);
   return table;
+}
+
+void check_contact(const Case& whole, const Node& root) {
+  const ContactCase& contact = whole.contact;
+  if (contact.scheme == ContactScheme::none || contact.gap < contact.range) return;
+  throw error_at_key(root, find_key(root, "contact.gap") ? "contact.gap" : "contact.range", "",
+                     fmt::format("the gap that sheets keep is {} and the range within which they "
+                                 "repel each other {}, allowed: a gap below the range",
+                                 metres(contact.gap), metres(contact.range)));
 }
 
 ContactCase complete_contact(const Case& whole) {

@@ -41,6 +41,7 @@ void check_sides(const Case& whole, const Node& root);
 void check_solids(const CaseFile& file, const Node& root);
 void check_cloth(const CaseFile& file, const Node& root);
 void check_probes(const Case& whole, const Node& root);
+void check_contact(const Case& whole, const Node& root);
 
 /// Shortens the window of the statistics, and the interval of the rows, that a file gives to a run
 /// that --set has made shorter, and says so.

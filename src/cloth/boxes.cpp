@@ -13,7 +13,8 @@ constexpr double bins_per_box = 8;  // at most
 
 template <int D>
 BoxLists<D>::BoxLists(const std::vector<BoundingBox<D>>& boxes, const Mesh<D>& mesh,
-                      double longest) {
+                      double longest)
+    : mesh_(mesh) {
   Vec<D> upper = lower_ = mesh.lower;
   double edge = 0;
   for (const auto& b : boxes) {
@@ -61,15 +62,6 @@ long BoxLists<D>::number(const Index<D>& bin) const {
   long n = 0;
   for (int d = D - 1; d >= 0; --d) n = n * bins_[d] + bin[d];
   return n;
-}
-
-/// Whole periods in the way between two points, which is then at most half a period.
-template <int D>
-Vec<D> BoxLists<D>::to_nearest(const Vec<D>& way) const {
-  Vec<D> shift = Vec<D>::Zero();
-  for (int d = 0; d < D; ++d)
-    if (period_[d] > 0) shift[d] = period_[d] * std::round(way[d] / period_[d]);
-  return shift;
 }
 
 template class BoxLists<2>;

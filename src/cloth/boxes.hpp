@@ -39,8 +39,7 @@ class BoxLists {
  private:
   Index<D> bin(const Vec<D>& x) const;
   long number(const Index<D>& bin) const;
-  Vec<D> to_nearest(const Vec<D>& way) const;
-
+  Mesh<D> mesh_;
   std::vector<BoundingBox<D>> boxes_;  ///< sorted by bin
   std::vector<std::size_t> original_;  ///< their numbers as given
   std::vector<std::size_t> first_;     ///< of each bin, and the end of the last
@@ -56,7 +55,7 @@ void BoxLists<D>::for_overlaps(const BoundingBox<D>& box, Visit&& visit) const {
   const auto look_at = [&](const Index<D>& b) {
     const auto n = static_cast<std::size_t>(number(b));
     for (std::size_t i = first_[n]; i < first_[n + 1]; ++i) {
-      const Vec<D> way = boxes_[i].middle() - middle, shift = to_nearest(way);
+      const Vec<D> way = boxes_[i].middle() - middle, shift = mesh_.periods_in(way);
       const Vec<D> apart = (way - shift).cwiseAbs() - half - 0.5 * boxes_[i].size();
       if (apart.maxCoeff() <= 0) visit(original_[i], shift);
     }

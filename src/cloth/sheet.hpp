@@ -31,6 +31,11 @@ struct Sheet {
   int node(int i, int j) const { return i + extent[0] * j; }
   /// Node (i, j), where i and j may lie up to a whole turn beyond the seam of a closed direction.
   Image<D> image(int i, int j) const;
+  /// Where that is, the nodes being at X [m].
+  Vec<D> place(std::span<const Vec<D>> X, int i, int j) const {
+    const Image<D> at = image(i, j);
+    return X[static_cast<std::size_t>(at.node)] + at.shift;
+  }
   /// Intervals between nodes along an axis, that of the seam included.
   int intervals(int axis) const { return closed[axis] ? extent[axis] : extent[axis] - 1; }
   /// Whether the i-th node along an axis has a neighbour on either side.

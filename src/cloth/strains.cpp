@@ -5,16 +5,10 @@
 namespace washtub {
 namespace {
 
-template <int D>
-Vec<D> position(const Sheet<D>& sheet, std::span<const Vec<D>> X, int i, int j) {
-  const Image<D> image = sheet.image(i, j);
-  return X[static_cast<std::size_t>(image.node)] + image.shift;
-}
-
 /// |X_r . X_s| / (2 |X_r| |X_s|), signed, of the quad (i, j).
 double shear(const Sheet<3>& sheet, std::span<const Vec<3>> X, int i, int j) {
-  const Vec<3> a = position(sheet, X, i, j), b = position(sheet, X, i + 1, j);
-  const Vec<3> c = position(sheet, X, i, j + 1), d = position(sheet, X, i + 1, j + 1);
+  const Vec<3> a = sheet.place(X, i, j), b = sheet.place(X, i + 1, j);
+  const Vec<3> c = sheet.place(X, i, j + 1), d = sheet.place(X, i + 1, j + 1);
   const auto [dr, ds] = sheet.spacing;
   const Vec<3> xr = (b - a + d - c) / (2 * dr), xs = (c - a + d - b) / (2 * ds);
   const double lr = ((b - a).norm() + (d - c).norm()) / (2 * dr);
@@ -34,7 +28,7 @@ void find_strains(const Sheet<D>& sheet, std::span<const Vec<D>> X, Strains& out
   out.shear.clear();
   const auto edge = [&](int axis, int i, int j) {
     const Vec<D> way =
-        position(sheet, X, i + (axis == 0), j + (axis == 1)) - position(sheet, X, i, j);
+        sheet.place(X, i + (axis == 0), j + (axis == 1)) - sheet.place(X, i, j);
     const double ds = sheet.spacing[static_cast<std::size_t>(axis)];
     out.along[static_cast<std::size_t>(axis)].push_back(0.5 * (1 - ds * ds / way.squaredNorm()));
   };

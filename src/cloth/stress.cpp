@@ -30,12 +30,6 @@ double curvature(const Vec<D>& a, const Vec<D>& b, const Vec<D>& c, const Projec
   return 2 * std::fabs(project(turn)) / ((b - a).norm() + (c - b).norm());
 }
 
-template <int D>
-Vec<D> position(const Sheet<D>& sheet, std::span<const Vec<D>> X, int i, int j) {
-  const Image<D> image = sheet.image(i, j);
-  return X[image.node] + image.shift;
-}
-
 /// The first and the last node along an axis that are at most one edge away from the i-th.
 template <int D>
 std::array<int, 2> around(const Sheet<D>& sheet, int axis, int i) {
@@ -105,7 +99,7 @@ class PlateNode {
     return axis == 0 ? strains_.along[0][k + sheet_.intervals(0) * at_[1]]
                      : strains_.along[1][at_[0] + sheet_.extent[0] * k];
   }
-  Vec<3> at(int i, int j) const { return position(sheet_, X_, i, j); }
+  Vec<3> at(int i, int j) const { return sheet_.place(X_, i, j); }
   /// The node in this one's line along an axis.
   Vec<3> x(int axis, int place) const { return axis == 0 ? at(place, at_[1]) : at(at_[0], place); }
   Vec<3> tangent(int axis) const {
@@ -165,7 +159,7 @@ EdgeMean strain(const Sheet<2>& thread, const Strains& strains, int i) {
 /// |kappa| at a node of a thread.
 double curvature(const Sheet<2>& thread, std::span<const Vec<2>> X, int i) {
   const int m = inward(thread, 1, i);
-  const Vec<2> before = position(thread, X, 0, m - 1), after = position(thread, X, 0, m + 1);
+  const Vec<2> before = thread.place(X, 0, m - 1), after = thread.place(X, 0, m + 1);
   const Vec<2> along = after - before, n = Vec<2>(-along.y(), along.x()).normalized();
   return curvature(before, X[m], after, [&](const Vec<2>& v) { return v.dot(n); });
 }

@@ -170,9 +170,14 @@ auto Barrier<D>::look(int node, Surface surface, const Vec<D>& x, double dt) con
 template <int D>
 Vec<D> Barrier<D>::way(Surface surface, const Vec<D>& x, double dt) const {
   if (surface < 0) return Vec<D>::Zero();
-  const Vec<3> u =
-      mapping_.poses()[static_cast<std::size_t>(surface)].velocity(in_space<D>(inside(x)));
-  return dt * u.template head<D>();
+  const Solid& solid = mapping_.solids()[static_cast<std::size_t>(surface)];
+  const double now = mapping_.time();
+  const double swept = solid.drive.angle(now) - solid.drive.angle(now - dt);
+  const Vec<D> arm = inside(x) - solid.centre.template head<D>();
+  Vec<D> moved = arm;
+  moved[0] = std::cos(swept) * arm[0] - std::sin(swept) * arm[1];
+  moved[1] = std::sin(swept) * arm[0] + std::cos(swept) * arm[1];
+  return moved - arm;
 }
 
 /// Moves a node that may be near a surface to where it is allowed, and notes how near it is then.

@@ -50,7 +50,7 @@ class Barrier {
   }
   /// Half a cell, measured along the normal [m].
   double margin(const Vec<D>& normal) const;
-  /// Way of the surface's matter at x in the step [m].
+  /// Way in the step of the surface's matter that was at x when it began [m].
   Vec<D> way(Surface surface, const Vec<D>& x, double dt) const;
 
   struct Report {

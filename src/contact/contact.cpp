@@ -33,13 +33,13 @@ template <int D>
 void Contact<D>::hold(HeldStep<D>& step) {
   if (!surface_.place(step.start, from_) || !surface_.place(step.next, to_)) return;
   list_.cover(from_, to_, gap_);
-  held_.hold(list_, step);
+  held_.hold(list_, from_, to_, step);
 }
 
 template <int D>
 auto Contact<D>::end(const std::vector<Vec<D>>& X, std::vector<Vec<D>>& Y) -> Report {
   const int cut = filter_.cut(list_, X, Y);
-  return {held_.count(), cut, filter_.shortest()};
+  return {held_.count(), cut};
 }
 
 template std::vector<std::vector<double>> friction_of_groups(const Cloth<2>&);

@@ -18,9 +18,8 @@ template <int D>
 class Contact {
  public:
   struct Report {
-    int held = 0;         ///< pairs held apart
-    int cut = 0;          ///< pieces that went a part of their way only
-    double shortest = 1;  ///< the shortest such part [1]
+    int held = 0;  ///< pairs held apart
+    int cut = 0;   ///< pieces that went a part of their way only
   };
 
   Contact(const ClothSurface<D>& surface, const Cloth<D>& cloth, const Mesh<D>& mesh,

@@ -101,21 +101,20 @@ void HeldPairs<D>::sweep(Held& held, const HeldStep<D>& step, double& worst) {
 }
 
 template <int D>
-void HeldPairs<D>::hold(const PairList<D>& list, HeldStep<D>& step) {
-  surface_.place(step.start, from_);
-  surface_.place(step.next, to_);
+void HeldPairs<D>::hold(const PairList<D>& list, const std::vector<Vec<D>>& from,
+                        const std::vector<Vec<D>>& to, HeldStep<D>& step) {
   found_.clear();
-  list.for_near(gap_, [&](const Pair<D>& pair) { look(pair, from_, to_); });
+  list.for_near(gap_, [&](const Pair<D>& pair) { look(pair, from, to); });
   gather();
   if (held_.empty()) return;
   moved_ = step.next;
-  const std::vector<Held> before = held_;
+  before_ = held_;
   for (Held& h : held_) h.change.setZero();
   double worst = 0, later = 0;
   for (int s = 0; s < sweeps; ++s)
     for (Held& h : held_) sweep(h, step, s == 0 ? worst : later);
   if (worst <= enough * gap_) {
-    held_ = before;
+    held_.swap(before_);
     return;
   }
   for (const Held& h : held_)

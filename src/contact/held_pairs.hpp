@@ -27,7 +27,10 @@ class HeldPairs {
   /// Looks at the way from `start` to `next`; on return step.push has changed, and the nodes are
   /// marked, unless all pairs are far enough apart (collective).
   /// @param list  covers that way for the gap
-  void hold(const PairList<D>& list, HeldStep<D>& step);
+  /// @param from  places of the surface's points at `start` and
+  /// @param to    at `next` [m]
+  void hold(const PairList<D>& list, const std::vector<Vec<D>>& from,
+            const std::vector<Vec<D>>& to, HeldStep<D>& step);
   int count() const { return static_cast<int>(held_.size()); }
 
  private:
@@ -52,9 +55,8 @@ class HeldPairs {
   Parallel parallel_;
   double gap_;
   std::vector<std::vector<double>> friction_;
-  std::vector<Held> held_, found_;
-  std::vector<Vec<D>> from_, to_;  ///< places of the points [m]
-  std::vector<Vec<D>> moved_;      ///< `next` with the response to the forces of this call [m]
+  std::vector<Held> held_, found_, before_;
+  std::vector<Vec<D>> moved_;  ///< `next` with the response to the forces of this call [m]
 };
 
 }  // namespace washtub

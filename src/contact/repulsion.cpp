@@ -65,7 +65,6 @@ Repulsion<D>::Repulsion(const ClothSurface<D>& surface, const Mesh<D>& mesh,
   centre_.resize(piece_.size());
   normal_.resize(piece_.size());
   radius_.resize(piece_.size());
-  for (int d = 0; d < D; ++d) period_[d] = mesh.periodic[d] ? mesh.size()[d] : 0;
 }
 
 template <int D>
@@ -92,15 +91,6 @@ bool Repulsion<D>::apart(int a, int b) const {
       if (surface_.rest_distance(p, surface_.rest[i], surface_.rest[j]) <= own * set_.range)
         return false;
   return true;
-}
-
-/// The way to the nearest image.
-template <int D>
-Vec<D> Repulsion<D>::to_nearest(const Vec<D>& way) const {
-  Vec<D> out = way;
-  for (int d = 0; d < D; ++d)
-    if (period_[d] > 0) out[d] -= period_[d] * std::round(way[d] / period_[d]);
-  return out;
 }
 
 /// Lists the faces that may come within the range of each other before points move by half a skin.
@@ -130,8 +120,8 @@ void Repulsion<D>::list_faces_near(int face, const BoxLists<D>& faces) {
   const Vec<D> far = Vec<D>::Constant(set_.range + skin_ + radius_[face]);
   faces.for_overlaps({centre_[face] - far, centre_[face] + far}, [&](std::size_t f, const Vec<D>&) {
     const int other = static_cast<int>(f);
-    const double apart_by = to_nearest(centre_[face] - centre_[other]).norm();
-    if (apart_by < far[0] + radius_[other] && apart(face, other)) about_.push_back(other);
+    const Vec<D> way = centre_[face] - centre_[other];
+    if ((way - mesh_.periods_in(way)).norm() < far[0] + radius_[other] && apart(face, other)) about_.push_back(other);
   });
 }
 
@@ -154,7 +144,8 @@ void Repulsion<D>::list_near(const Sample& s) {
 
 template <int D>
 auto Repulsion<D>::view(const Vec<D>& x, const Vec<D>& normal, int face) const -> View {
-  View v{to_nearest(x - centre_[face]), {}, 0, 2};
+  View v{x - centre_[face], {}, 0, 2};
+  v.way -= mesh_.periods_in(v.way);
   const double height = std::abs(normal_[face].dot(v.way));
   const double squares = v.way.squaredNorm() - height * height, radius = radius_[face];
   const double aside = squares > radius * radius ? std::sqrt(squares) - radius : 0;

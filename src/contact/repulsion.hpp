@@ -15,9 +15,9 @@ namespace washtub {
 ///   p(d) = P (1 - d/d0)^2 d0/d
 /// between each sample of the surface and the nearest point of other cloth on either side of it;
 /// sheets beyond those are not felt through them. Faces of the own piece count where they are
-/// farther away along the cloth. Below a knee, where -p' reaches a quarter of areal
-/// mass over dt^2, p goes on linearly, so that an explicit step stays stable. Both sides sample,
-/// each for half of it; force and moment add up to nothing.
+/// farther away along the cloth. Below a knee, where -p' reaches a quarter of areal mass over dt^2,
+/// p goes on linearly, so that an explicit step stays stable. Both sides sample, each for half of
+/// it; force and moment add up to nothing.
 ///
 /// Friction is Coulomb's, friction times p against the relative velocity along the sheets, or less
 /// where a tenth of the areal mass is stopped by less within the step.
@@ -61,7 +61,6 @@ class Repulsion : public NodalForce<D> {
   void measure_faces();
   bool apart(int a, int b) const;
   Vec<D> at(const Sample& s, const std::vector<Vec<D>>& x) const;
-  Vec<D> to_nearest(const Vec<D>& way) const;
   /// How a face lies to a sample, at little cost.
   struct View {
     Vec<D> way;                     ///< from its centre to the sample [m]
@@ -97,7 +96,6 @@ class Repulsion : public NodalForce<D> {
   std::vector<Vec<D>> normal_;  ///< of each face, unit length
   std::vector<Vec<D>> sum_;     ///< force of each node [N]
   std::vector<double> radius_;  ///< of each face about its centre [m]
-  Vec<D> period_;               ///< of the box along each axis [m]; 0: none
 };
 
 }  // namespace washtub

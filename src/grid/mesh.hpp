@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cmath>
 
 #include "base/vec.hpp"
 
@@ -18,6 +19,13 @@ struct Mesh {
     Vec<D> s;
     for (int d = 0; d < D; ++d) s[d] = h[d] * cells[d];
     return s;
+  }
+  /// Whole periods of the box in the way between two points, which is then at most half a period.
+  Vec<D> periods_in(const Vec<D>& way) const {
+    Vec<D> whole = Vec<D>::Zero();
+    for (int d = 0; d < D; ++d)
+      if (periodic[d]) whole[d] = h[d] * cells[d] * std::round(way[d] / (h[d] * cells[d]));
+    return whole;
   }
   double cell_volume() const { return h.prod(); }
   /// Centre of the lower face d of cell c (d = -1: centre of the cell) [m].

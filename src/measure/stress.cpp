@@ -3,19 +3,10 @@
 #include <cmath>
 
 namespace washtub {
-namespace {
-
-double weighted_mean(std::span<const double> values, std::span<const double> weights) {
-  Statistics s;
-  for (std::size_t i = 0; i < values.size(); ++i) s.add(values[i], weights[i]);
-  return s.mean();
-}
-
-}  // namespace
 
 StressParts area_mean(const StressField& stress, std::span<const double> area) {
-  return {weighted_mean(stress.membrane, area), weighted_mean(stress.bending, area),
-          weighted_mean(stress.total, area)};
+  return {area_mean(stress.membrane, area), area_mean(stress.bending, area),
+          area_mean(stress.total, area)};
 }
 
 void StressStatistics::Parts::add(const StressParts& value, double weight) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,14 @@ struct StressField {
 struct StressParts {
   double membrane = 0, bending = 0, total = 0;
 };
+
+/// Mean of one part of the nodes' values, weighted with their area.
+template <class Nodes, class Part = std::identity>
+double area_mean(const Nodes& nodes, std::span<const double> area, Part part = {}) {
+  Statistics s;
+  for (std::size_t i = 0; i < nodes.size(); ++i) s.add(std::invoke(part, nodes[i]), area[i]);
+  return s.mean();
+}
 
 /// Mean over a piece, (1/A_k) times the integral of sigma dA_k in Eq. (15) [Pa]; `area` per node
 /// with borders halved.

@@ -98,8 +98,8 @@ const std::vector<DeclaredColumn<Sample>> energy = {
      [](const Sample& s) { return s.quality.dissipation; },
      {.fold = "Water", .title = "Dissipation", .axis = "power", .curve = "dissipation"}},
     {{"energy residual", watt,
-      "work of drives and sides less heat and gain of energy since the row before: what the scheme "
-      "takes out of the motion"},
+      "work of drives and sides less the water's heat and the gain of energy since the row before: "
+      "what the scheme, and loss and friction of the cloth, take out of the motion"},
      [](const Sample& s) { return s.quality.residual; },
      numerics("Energy residual", "energy residual")},
 };

@@ -21,13 +21,6 @@ Vec<2> turning_axis(const std::vector<Solid>& solids) {
 /// Whether a thread is closed without a shift, and so encloses an area.
 bool is_ring(const Sheet<2>& sheet) { return sheet.closed[1] && sheet.period[1].isZero(); }
 
-double mean_over(const std::vector<NodeStress>& nodes, const std::vector<double>& area,
-                 double NodeStress::*part) {
-  double sum = 0;
-  for (std::size_t i = 0; i < nodes.size(); ++i) sum += area[i] * nodes[i].*part;
-  return sum / std::accumulate(area.begin(), area.end(), 0.0);
-}
-
 Interval window(const Case& whole) { return {whole.output.window_begin, whole.output.window_end}; }
 
 }  // namespace
@@ -103,10 +96,10 @@ PieceSample Observer<D>::observe_piece(const ClothGroup<D>& g, int p) {
   PieceSample sample;
   find_strains(g.sheet, X, strains_);
   find_stress(g.sheet, X, strains_, node_stress_);
-  sample.raw_stress = mean_over(node_stress_, g.sheet.area, &NodeStress::total);
+  sample.raw_stress = area_mean(node_stress_, g.sheet.area, &NodeStress::total);
   find_stress(g.sheet, X, steady_.of_piece(g.first_piece + p), node_stress_);
-  sample.tension = mean_over(node_stress_, g.sheet.area, &NodeStress::tension);
-  sample.compression = mean_over(node_stress_, g.sheet.area, &NodeStress::compression);
+  sample.tension = area_mean(node_stress_, g.sheet.area, &NodeStress::tension);
+  sample.compression = area_mean(node_stress_, g.sheet.area, &NodeStress::compression);
   for (std::size_t i = 0; i < node_stress_.size(); ++i) {
     membrane_[first + i] = node_stress_[i].membrane;
     bending_[first + i] = node_stress_[i].bending;

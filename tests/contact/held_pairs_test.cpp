@@ -41,7 +41,7 @@ struct Loose {
       std::fill(pushed.begin(), pushed.end(), 0);
       HeldStep<D> step{1e-3, cloth.position, next, stiffness, push, pushed};
       list.cover(cloth.position, next, gap);
-      held.hold(list, step);
+      held.hold(list, cloth.position, next, step);
       if (std::count(pushed.begin(), pushed.end(), 1) == 0) return round;
       for (std::size_t i = 0; i < next.size(); ++i)
         next[i] = free[i] + push[i].cwiseQuotient(stiffness[i]);

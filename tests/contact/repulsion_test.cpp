@@ -147,6 +147,16 @@ TEST(Repulsion, ActsBetweenPartsOfOnePiece) {
   for (const auto& f : force(plain, 0)) EXPECT_EQ(f, Vec<2>::Zero());
 }
 
+/// The last edge of a ring is as near to the first one as any two neighbours are.
+TEST(Repulsion, DoesNotSeeTheSeamOfARing) {
+  std::vector<Vec<2>> where;
+  for (int i = 0; i < 24; ++i)
+    where.emplace_back(0.15 * std::cos(2 * M_PI * i / 24), 0.15 * std::sin(2 * M_PI * i / 24));
+  Cloth<2> ring;
+  ring.add(make_thread(24, 0.04, {100, 0, 1e-3, 0, 0, 0, 1e-3}, true), where);
+  for (const auto& f : force(ring, 0)) EXPECT_EQ(f, Vec<2>::Zero());
+}
+
 /// Across a periodic side the same as in the middle of the box.
 TEST(Repulsion, ReachesAcrossPeriodicSides) {
   Mesh<3> mesh = open_box<3>();

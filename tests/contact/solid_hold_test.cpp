@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <numbers>
 
 #include "support/dots.hpp"
 
@@ -110,4 +111,21 @@ TEST(SolidHold, IsCarriedByASurfaceThatMoves) {
     EXPECT_NEAR(std::atan2(-arm[0], arm[1]), friction > 0 ? speed * 0.1 : 0, 2e-3) << friction;
     EXPECT_NEAR(arm.norm(), 0.2 + 0.5 * h, 0.02 * h);
   }
+}
+
+/// Pressed against the side of a fin, a node that sticks goes round with it for two turns without
+/// creeping outwards.
+TEST(SolidHold, StaysWhereItIsOnAFinThatTurns) {
+  constexpr double speed = 10;
+  const Vec<2> centre(0.5, 0.5);
+  const Solid fin{"fin", box({-0.4, -0.04, -1}, {0.4, 0.04, 1}), {0.5, 0.5, 0},
+                  constant_speed(speed)};
+  Sled sled(5, {0.7, 0.54 + 0.5 * h}, {fin});
+  const double radius = (sled.x() - centre).norm();
+  const int steps = static_cast<int>(2 * 2 * std::numbers::pi / (speed * dt));
+  for (int i = 0; i < steps; ++i) {
+    const double angle = speed * dt * i;
+    sled.step(5 * Vec<2>(std::sin(angle), -std::cos(angle)));
+  }
+  EXPECT_NEAR((sled.x() - centre).norm(), radius, 1e-3 * h);
 }

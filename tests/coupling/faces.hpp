@@ -21,9 +21,9 @@ std::vector<Vec<D>> points_in(const Mesh<D>& mesh, int count) {
   return points;
 }
 
-/// Sets u = value(axis, cell of the whole grid, position) on the faces of this rank.
-template <int D, class Value>
-void fill_faces(const Grid<D>& grid, std::array<Field, D>& u, Value&& value) {
+/// Calls visit(axis, memory position, cell of the whole grid) for the faces of this rank.
+template <int D, class Visit>
+void for_face_cells(const Grid<D>& grid, Visit&& visit) {
   const auto& block = grid.block();
   for (int d = 0; d < D; ++d)
     for (int k = 0; k < block.planes(); ++k)
@@ -31,22 +31,24 @@ void fill_faces(const Grid<D>& grid, std::array<Field, D>& u, Value&& value) {
         for (int i = 0; i < block.width(); ++i) {
           Index<D> c = block.row_cell(j, k);
           c[0] += i;
-          u[d][block.row(j, k) + i] = value(d, c, grid.mesh().position(c, d));
+          visit(d, block.row(j, k) + i, c);
         }
+}
+
+/// Sets u = value(axis, cell of the whole grid, position) on the faces of this rank.
+template <int D, class Value>
+void fill_faces(const Grid<D>& grid, std::array<Field, D>& u, Value&& value) {
+  for_face_cells(grid, [&](int d, long p, const Index<D>& c) {
+    u[d][p] = value(d, c, grid.mesh().position(c, d));
+  });
 }
 
 /// Calls visit(axis, value, position) for the faces of this rank.
 template <int D, class Visit>
 void for_faces(const Grid<D>& grid, const std::array<Field, D>& u, Visit&& visit) {
-  const auto& block = grid.block();
-  for (int d = 0; d < D; ++d)
-    for (int k = 0; k < block.planes(); ++k)
-      for (int j = 0; j < block.rows(); ++j)
-        for (int i = 0; i < block.width(); ++i) {
-          Index<D> c = block.row_cell(j, k);
-          c[0] += i;
-          visit(d, u[d][block.row(j, k) + i], grid.mesh().position(c, d));
-        }
+  for_face_cells(grid, [&](int d, long p, const Index<D>& c) {
+    visit(d, u[d][p], grid.mesh().position(c, d));
+  });
 }
 
 template <int D>

@@ -94,3 +94,10 @@ TEST(Kernels, KeepTheCentreOfForceOrNearlySo) {
   });
   EXPECT_NEAR(worst, 0.0211, 1e-4);  // cells, at a fraction of 0.213
 }
+
+/// Peskin's 4-point functions have sum phi^2 = 3/8 wherever they stand, Roma's 1/2.
+TEST(Kernel, TiesALayerOfItsThickness) {
+  EXPECT_NEAR(kernel_thickness(Kernel::cosine), 8.0 / 3, 1e-5);
+  EXPECT_NEAR(kernel_thickness(Kernel::peskin4), 8.0 / 3, 1e-5);
+  EXPECT_NEAR(kernel_thickness(Kernel::roma3), 2, 1e-5);
+}
