@@ -12,8 +12,7 @@ constexpr double bins_per_box = 8;  // at most
 }  // namespace
 
 template <int D>
-BoxLists<D>::BoxLists(const std::vector<BoundingBox<D>>& boxes, const Mesh<D>& mesh,
-                      double longest)
+BoxLists<D>::BoxLists(const std::vector<BoundingBox<D>>& boxes, const Mesh<D>& mesh, double longest)
     : mesh_(mesh) {
   Vec<D> upper = lower_ = mesh.lower;
   double edge = 0;

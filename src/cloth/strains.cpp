@@ -27,8 +27,7 @@ void find_strains(const Sheet<D>& sheet, std::span<const Vec<D>> X, Strains& out
   for (auto& along : out.along) along.clear();
   out.shear.clear();
   const auto edge = [&](int axis, int i, int j) {
-    const Vec<D> way =
-        sheet.place(X, i + (axis == 0), j + (axis == 1)) - sheet.place(X, i, j);
+    const Vec<D> way = sheet.place(X, i + (axis == 0), j + (axis == 1)) - sheet.place(X, i, j);
     const double ds = sheet.spacing[static_cast<std::size_t>(axis)];
     out.along[static_cast<std::size_t>(axis)].push_back(0.5 * (1 - ds * ds / way.squaredNorm()));
   };

@@ -29,8 +29,8 @@ class HeldPairs {
   /// @param list  covers that way for the gap
   /// @param from  places of the surface's points at `start` and
   /// @param to    at `next` [m]
-  void hold(const PairList<D>& list, const std::vector<Vec<D>>& from,
-            const std::vector<Vec<D>>& to, HeldStep<D>& step);
+  void hold(const PairList<D>& list, const std::vector<Vec<D>>& from, const std::vector<Vec<D>>& to,
+            HeldStep<D>& step);
   int count() const { return static_cast<int>(held_.size()); }
 
  private:

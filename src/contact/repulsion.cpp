@@ -121,7 +121,8 @@ void Repulsion<D>::list_faces_near(int face, const BoxLists<D>& faces) {
   faces.for_overlaps({centre_[face] - far, centre_[face] + far}, [&](std::size_t f, const Vec<D>&) {
     const int other = static_cast<int>(f);
     const Vec<D> way = centre_[face] - centre_[other];
-    if ((way - mesh_.periods_in(way)).norm() < far[0] + radius_[other] && apart(face, other)) about_.push_back(other);
+    if ((way - mesh_.periods_in(way)).norm() < far[0] + radius_[other] && apart(face, other))
+      about_.push_back(other);
   });
 }
 

@@ -221,7 +221,8 @@ const std::vector<DeclaredEntry<RunSource>> quality = {
      [](const RunSource& s) { return of_balance(s, s.end.quality.balance.gain); }},
     {{"heat", joule, "made by viscosity"},
      [](const RunSource& s) { return of_balance(s, s.end.quality.balance.heat); }},
-    {{"energy residual", joule, "work less gain and heat: what the scheme, and loss and friction of the cloth, take out of "
+    {{"energy residual", joule,
+      "work less gain and heat: what the scheme, and loss and friction of the cloth, take out of "
       "the motion"},
      [](const RunSource& s) { return of_balance(s, s.end.quality.balance.rest()); }},
     {{"energy residual over work or heat", pure_number, "whichever is larger"},

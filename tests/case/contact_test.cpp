@@ -14,13 +14,15 @@ Case contact_of(int pieces, const std::string& contact = "") {
   return read_case_text(
       "[fluid]\nviscosity = \"1 Pa s\"\ngravity = [\"0 m/s^2\", \"0 m/s^2\", \"-10 m/s^2\"]\n"
       "[washer]\nradius = \"50 cm\"\ndepth = \"50 cm\"\n[washer.stroke]\nkind = \"sinusoid\"\n"
-      "peak = \"2 rad/s\"\nfrequency = \"1 Hz\"\n[domain]\nlower = [\"-50 cm\", \"-50 cm\", \"0 m\"]\n"
+      "peak = \"2 rad/s\"\nfrequency = \"1 Hz\"\n[domain]\nlower = [\"-50 cm\", \"-50 cm\", \"0 "
+      "m\"]\n"
       "size = [\"1 m\", \"1 m\", \"50 cm\"]\ncells = 20\n"
       "[[cloth]]\ncount = " +
           std::to_string(pieces) +
           "\nsize = [\"20 cm\", \"20 cm\"]\nexcess_mass = \"3 kg/m^2\"\n"
           "stretch_stiffness = \"8e3 N/m\"\nshear_stiffness = \"1 N/m\"\n"
-          "bending_stiffness = \"1e-5 N m\"\ntorsion_stiffness = \"1e-5 N m\"\nthickness = \"1 mm\"\n"
+          "bending_stiffness = \"1e-5 N m\"\ntorsion_stiffness = \"1e-5 N m\"\nthickness = \"1 "
+          "mm\"\n"
           "[time]\nend = \"1 s\"\n[contact]\n" +
           contact,
       "tub");

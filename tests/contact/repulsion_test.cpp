@@ -130,31 +130,33 @@ TEST(Repulsion, IsNotFeltThroughASheet) {
   EXPECT_NEAR(top, law(0.01) * 0.12, 1e-9);
 }
 
-/// A thread in the shape of a hairpin is pushed open, a straight one feels nothing.
+/// A thread in the shape of a hairpin is pushed open.
 TEST(Repulsion, ActsBetweenPartsOfOnePiece) {
-  std::vector<Vec<2>> hairpin, straight;
-  for (int i = 0; i < 12; ++i) {
-    hairpin.emplace_back(0.1 * (i < 6 ? i : 11 - i), i < 6 ? 0.0 : 0.02);
-    straight.emplace_back(0.1 * i, 0);
-  }
-  const auto sheet = make_thread(12, 0.1, {100, 0, 1e-3, 0, 0, 0, 1e-3});
-  Cloth<2> folded, plain;
-  folded.add(sheet, hairpin);
-  plain.add(sheet, straight);
+  std::vector<Vec<2>> hairpin;
+  for (int i = 0; i < 12; ++i) hairpin.emplace_back(0.1 * (i < 6 ? i : 11 - i), i < 6 ? 0.0 : 0.02);
+  Cloth<2> folded;
+  folded.add(make_thread(12, 0.1, {100, 0, 1e-3, 0, 0, 0, 1e-3}), hairpin);
   const auto F = force(folded, 0);
   EXPECT_LT(F[0][1], -1);
   EXPECT_GT(F[11][1], 1);
-  for (const auto& f : force(plain, 0)) EXPECT_EQ(f, Vec<2>::Zero());
 }
 
-/// The last edge of a ring is as near to the first one as any two neighbours are.
-TEST(Repulsion, DoesNotSeeTheSeamOfARing) {
-  std::vector<Vec<2>> where;
-  for (int i = 0; i < 24; ++i)
-    where.emplace_back(0.15 * std::cos(2 * M_PI * i / 24), 0.15 * std::sin(2 * M_PI * i / 24));
-  Cloth<2> ring;
-  ring.add(make_thread(24, 0.04, {100, 0, 1e-3, 0, 0, 0, 1e-3}, true), where);
-  for (const auto& f : force(ring, 0)) EXPECT_EQ(f, Vec<2>::Zero());
+/// A thread of short edges has others within the range of each, and does not feel them; the last
+/// edge of a ring is as near to the first as any two neighbours are.
+TEST(Repulsion, DoesNotSeeNeighboursAlongTheCloth) {
+  constexpr int nodes = 48;
+  constexpr double spacing = 0.4 * range, radius = nodes * spacing / (2 * M_PI);
+  for (const bool closed : {false, true}) {
+    std::vector<Vec<2>> where;
+    for (int i = 0; i < nodes; ++i) {
+      const double angle = 2 * M_PI * i / nodes;
+      where.push_back(closed ? Vec<2>(radius * std::cos(angle), radius * std::sin(angle))
+                             : Vec<2>(spacing * i, 0));
+    }
+    Cloth<2> cloth;
+    cloth.add(make_thread(nodes, spacing, {100, 0, 1e-3, 0, 0, 0, 1e-3}, closed), where);
+    for (const auto& f : force(cloth, 0)) EXPECT_EQ(f, Vec<2>::Zero());
+  }
 }
 
 /// Across a periodic side the same as in the middle of the box.

@@ -73,6 +73,21 @@ TEST(SolidHold, CarriesWhatPressesOnIt) {
   EXPECT_NEAR(sled.x()[1], 0.5 * h + 1 / k, 1e-3 * h);
 }
 
+/// What is drawn away by others in the course of a step is let go in that step.
+TEST(SolidHold, DoesNotPull) {
+  Sled sled(0);
+  const std::vector<Vec<2>> stiffness = {Vec<2>::Constant(k)};
+  std::vector<Vec<2>> next = {{0.5, 0}}, push = {Vec<2>::Zero()};
+  std::vector<char> pushed(1);
+  HeldStep<2> held{dt, sled.cloth.position, next, stiffness, push, pushed};
+  sled.hold.start();
+  sled.hold.hold(held);
+  EXPECT_EQ(sled.hold.count(), 1);
+  next[0][1] = 2 * h;
+  sled.hold.hold(held);
+  EXPECT_EQ(sled.hold.count(), 0);
+}
+
 TEST(SolidHold, LetsSlideWithoutFriction) {
   Sled sled(0);
   for (int i = 0; i < 10; ++i) sled.step({0.5, -2});
@@ -118,8 +133,8 @@ TEST(SolidHold, IsCarriedByASurfaceThatMoves) {
 TEST(SolidHold, StaysWhereItIsOnAFinThatTurns) {
   constexpr double speed = 10;
   const Vec<2> centre(0.5, 0.5);
-  const Solid fin{"fin", box({-0.4, -0.04, -1}, {0.4, 0.04, 1}), {0.5, 0.5, 0},
-                  constant_speed(speed)};
+  const Solid fin{
+      "fin", box({-0.4, -0.04, -1}, {0.4, 0.04, 1}), {0.5, 0.5, 0}, constant_speed(speed)};
   Sled sled(5, {0.7, 0.54 + 0.5 * h}, {fin});
   const double radius = (sled.x() - centre).norm();
   const int steps = static_cast<int>(2 * 2 * std::numbers::pi / (speed * dt));

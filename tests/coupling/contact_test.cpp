@@ -9,18 +9,18 @@ using namespace washtub::testing;
 
 namespace {
 
-/// Pushes the first half of the nodes up and the others down, along the last axis.
+/// A force on each node of the first half and of the second half, along the last axis [N].
 template <int D>
-class Squeeze : public NodalForce<D> {
+class Push : public NodalForce<D> {
  public:
-  explicit Squeeze(double force) : force_(force) {}
+  Push(double first, double second) : force_{first, second} {}
   void add(const ClothMoment<D>&, std::vector<Vec<D>>& force) override {
     for (std::size_t i = 0; i < force.size(); ++i)
-      force[i][D - 1] += i < force.size() / 2 ? force_ : -force_;
+      force[i][D - 1] += force_[2 * i < force.size() ? 0 : 1];
   }
 
  private:
-  double force_;
+  std::array<double, 2> force_;
 };
 
 /// The least distance between the nodes of the two pieces.
@@ -68,7 +68,7 @@ struct Pressed {
   Pressed(const Mesh<D>& mesh, const Cloth<D>& cloth, double force, Scheme scheme,
           const ContactSettings& contact, const Parallel& parallel = Parallel())
       : pool(mesh, 1, cloth, scheme, parallel, contact) {
-    pool.coupling.add(std::make_unique<Squeeze<D>>(force));
+    pool.coupling.add(std::make_unique<Push<D>>(force, -force));
   }
   void run(int steps, double dt) {
     for (int i = 0; i < steps; ++i) {
@@ -101,6 +101,52 @@ TEST(VerificationContactInWater, KeepsTheGapBetweenSheets) {
   const auto [repelled_distance, held_then] = press(layers(h, 2e5));
   EXPECT_GT(repelled_distance, 1.05 * gap);
   EXPECT_LT(held_then, held);
+}
+
+/// Of the force on the water about y = 0, along y [N m].
+double first_moment(const WaterBox<2>& water) {
+  double sum = 0;
+  for_face_cells(water.grid, [&](int d, long p, const Index<2>& cell) {
+    if (d == 1) sum += water.flow.force()[1][p] * water.grid.mesh().position(cell, 1)[1];
+  });
+  return sum * water.grid.mesh().h.prod();
+}
+
+/// Sheets that are held apart hand what presses them to each other, not to the water.
+TEST(ContactInWater, TheWaterIsSparedWhatSheetsCarry) {
+  constexpr double load = 300, distance = 0.05;
+  ContactSettings contact = layers(1.0 / 32, 0);
+  contact.gap = distance;
+  Pressed<2> pressed(square(), two_threads(), load, Scheme::implicit, contact);
+  double mean = 0;
+  for (int i = 0; i < 400; ++i) {
+    pressed.run(1, 1e-3);
+    mean += first_moment(pressed.pool.water) / 400;
+  }
+  EXPECT_LT(std::abs(mean), 0.3 * 9 * load * distance);
+}
+
+/// A thread that is pressed on the floor hands that to the floor: the water has none of it.
+TEST(ContactInWater, TheWaterIsSparedWhatTheFloorCarries) {
+  constexpr double h = 1.0 / 32, load = 100;
+  WaterBox<2> water({cubic_mesh<2>({0, 0}, 1, 32), {}, 1000, 1});
+  std::vector<Vec<2>> where;
+  for (int i = 0; i < 9; ++i) where.emplace_back(0.3 + 0.05 * i, 0.501 * h);
+  Cloth<2> cloth;
+  cloth.add(make_thread(9, 0.05, {2e3, 0, 1e-2, 0, 0, 0.5, 1e-3}), where);
+  Coupling<2> coupling(water.flow, cloth, water.mapping, Kernel::cosine, {}, Scheme::implicit);
+  coupling.add(std::make_unique<Push<2>>(-load, -load));
+  double mean = 0;
+  for (int i = 0; i < 400; ++i) {
+    water.move_solids(1e-3);
+    water.flow.predict(1e-3);
+    coupling.push();
+    water.flow.project(1e-6, 60);
+    EXPECT_FALSE(coupling.again());
+    coupling.move();
+    mean += total<2>(water.grid, water.flow.force())[1] / 400;
+  }
+  EXPECT_LT(std::abs(mean), 0.1 * 9 * load);
 }
 
 TEST(VerificationContactInWater, KeepsTheGapBetweenPlates) {
