@@ -92,6 +92,8 @@ struct MovieArguments {
 int command_run(RunArguments arguments);
 int command_check(const CheckArguments& arguments);
 int command_reference(const ReferenceArguments& arguments);
+/// Of one fabric, or of all where the name is empty.
+int command_fabrics(const std::string& name);
 int command_modes(const ModesArguments& arguments);
 int command_bench(const BenchArguments& arguments);
 int command_verify(const VerifyArguments& arguments);

@@ -62,6 +62,12 @@ void add_modes(CLI::App& app, ModesArguments& arguments) {
   command.add_option("-o", arguments.file, "JSON file of the frequencies")->type_name("FILE");
 }
 
+void add_fabrics(CLI::App& app, std::string& name) {
+  CLI::App& command =
+      *app.add_subcommand("fabrics", "the kinds of cloth that a case may name, and their values");
+  command.add_option("NAME", name, "one of them, with its sources [all]");
+}
+
 void add_verify(CLI::App& app, VerifyArguments& arguments) {
   CLI::App& command =
       *app.add_subcommand("verify", "run the verification cases and judge what they compute");
@@ -172,6 +178,8 @@ int command_line(int argc, char** argv) {
   add_check(app, check);
   ModesArguments modes;
   add_modes(app, modes);
+  std::string fabric;
+  add_fabrics(app, fabric);
   BenchArguments bench;
   bench.all = run.all;
   add_bench(app, bench);
@@ -196,6 +204,7 @@ int command_line(int argc, char** argv) {
   }
   if (app.got_subcommand("run")) return command_run(run);
   if (app.got_subcommand("modes")) return command_modes(modes);
+  if (app.got_subcommand("fabrics")) return command_fabrics(fabric);
   if (app.got_subcommand("bench")) return command_bench(bench);
   if (app.got_subcommand("verify")) return command_verify(verify);
   if (app.got_subcommand("report")) return command_report(report);

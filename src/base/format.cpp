@@ -169,4 +169,13 @@ Format<int> name_of(const std::vector<std::string>& names) {
           or_list(names), json_schema::names(names)};
 }
 
+Format<std::string> one_of(const std::vector<std::string>& names) {
+  const Format<int> by_name = name_of(names);
+  return {[=](const Node& node, int dimension) {
+            return names[static_cast<size_t>(by_name.read(node, dimension))];
+          },
+          [](const std::string& name, int) { return quoted(name); }, by_name.type, by_name.allowed,
+          by_name.schema};
+}
+
 }  // namespace washtub

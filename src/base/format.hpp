@@ -72,6 +72,8 @@ Format<std::vector<double>> quantities(const Measure& measure, const Range& rang
 /// Any number of pairs of quantities.
 Format<std::vector<Vec<2>>> points(const Measure& measure);
 
+/// One of several names, as it stands.
+Format<std::string> one_of(const std::vector<std::string>& names);
 /// One of several names: the position of the name.
 Format<int> name_of(const std::vector<std::string>& names);
 /// Any number of several names: their positions. A name alone counts as a list of one.

@@ -25,6 +25,7 @@ inline constexpr Measure bending{"bending stiffness", "N m", "1e-5 N m"};
 inline constexpr Measure acceleration{"acceleration", "m/s^2", "9.81 m/s^2"};
 inline constexpr Measure curvature{"curvature", "m^-1", "4 m^-1"};
 inline constexpr Measure pressure{"pressure", "Pa", "4 kPa"};
+inline constexpr Measure permeability{"speed per pressure", "m/(s Pa)", "2.7e-5 m/(s Pa)"};
 inline constexpr Measure areal_mass{"mass per area", "kg/m^2", "9.3e-2 kg/m^2"};
 }  // namespace measure
 

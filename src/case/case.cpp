@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "case/fabrics.hpp"
 #include "case/tables.hpp"
 
 namespace washtub {
@@ -101,6 +102,7 @@ Table<CaseFile> declare() {
       .list("solid", &CaseFile::solids, solid_table(), [](const CaseFile&) { return SolidSpec(); })
       .then(add_solids)
       .list("cloth", part<&Case::cloth>(), cloth_table(), new_cloth)
+      .then(complete_cloth)
       .list("probe", part<&Case::probes>(), probe_table(),
             [](const CaseFile&) { return ProbeCase(); })
       .table(
@@ -136,6 +138,7 @@ Case read_root(Node root, const std::vector<std::string>& settings) {
   for (const std::string& setting : settings) apply_setting(root, setting);
   check_known(root, case_table().names());
   const int dimension = read_dimension(root);
+  use_fabrics(root, dimension);
   CaseFile file;
   case_table().read(file, root, dimension);
   check_case(file, root);
@@ -170,6 +173,7 @@ std::string input_reference() {
       "Code) follow that; `taplo lint case.toml` checks without an editor. What a schema cannot "
       "say, such as a bound of a quantity with its unit, is left to `washtub check`.\n";
   case_table().document(out, "");
+  out += "\n## Fabrics\n\n" + fabric_reference();
   drive_kinds().document(out);
   shape_kinds().document(out);
   return out;

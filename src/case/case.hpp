@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "case/readings.hpp"
 #include "cloth/material.hpp"
 #include "contact/settings.hpp"
 #include "coupling/kernel.hpp"
@@ -54,19 +55,26 @@ struct SolidCase {
   Drive drive = at_rest();
 };
 
-enum class Arrangement { book, random, sheet, ring };
+enum class Arrangement { book, random, layers, sheet, ring };
 
 /// An edge of a sheet: where r or s is least or largest.
 enum class Edge { r_lower, r_upper, s_lower, s_upper };
 
 /// A group of equal pieces of cloth.
 struct ClothCase {
+  std::string name;    ///< of the group
+  std::string fabric;  ///< that gave what the file does not; "" for none
   int count = 1;
   std::array<double, 2> size = {0, 0};  ///< edge lengths (r, s) [m]
   std::array<int, 2> nodes = {0, 0};    ///< nodes along r and s; 0 = from `spacing`
   double spacing = 1.7;                 ///< node spacing in lateral cells, where `nodes` is 0
   /// Of wet cloth in general, where nothing else is given.
   Material material = {.friction = 0.5, .solid_friction = 0.2, .loss_time = 1e-3};
+  double air_permeability = 0;  ///< of air at 100 Pa [m/s]; 0 = not known
+  double areal_mass = 0;        ///< dry [kg/m^2]; 0 = not known
+  double fibre_density = 1540;  ///< that of cotton [kg/m^3]
+  std::optional<KesReadings> kes;
+  std::optional<FastReadings> fast;
   Arrangement arrangement = Arrangement::book;
   std::uint64_t seed = 1;
   /// book: pages in planes through the axis (reference.md, start of the 3-D wash)
@@ -74,8 +82,12 @@ struct ClothCase {
   double bottom = 0;        ///< height of the lower edge [m]
   double shift = 0;         ///< standard deviation of the random shift [m]
   double tilt = 0;          ///< standard deviation of the random tilt [rad]
-  double clearance = 0;     ///< smallest distance to solids, surface and other pieces [m]
-  double curvature = 0;     ///< random, sheet: at the start, along r; the rest state is flat [1/m]
+  /// book, random, layers: as a packet of so many layers along r and s, or crumpled to a part of
+  /// its size
+  std::array<int, 2> folded = {1, 1};
+  double crumpled = 0;   ///< part of the extent that is lost
+  double clearance = 0;  ///< smallest distance to solids, surface and other pieces [m]
+  double curvature = 0;  ///< random, sheet: at the start, along r; the rest state is flat [1/m]
   /// sheet: one piece (count is 1) spanned from `origin` along two directions
   Vec<3> origin = Vec<3>::Zero();  ///< [m]
   std::array<Vec<3>, 2> along = {Vec<3>::UnitX(), Vec<3>::UnitY()};
@@ -186,6 +198,8 @@ std::array<int, 2> cloth_nodes(const ClothCase& cloth, const Case& whole);
 std::array<double, 2> cloth_spacing(const ClothCase& cloth, const Case& whole);
 /// Intervals along r (0) or s (1) that make up the size: 0.5 less for each clamp.
 double intervals(const ClothCase& cloth, int direction, int nodes);
+/// Extent of a piece as it starts, folded and crumpled [m].
+double start_extent(const ClothCase& cloth, int direction);
 bool is_held(const std::vector<Edge>& held, int direction, int end);
 
 /// Reads, completes and validates a case file.

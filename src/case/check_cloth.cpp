@@ -7,11 +7,6 @@
 namespace washtub {
 namespace {
 
-/// The key of a member of the i-th of `total` cloth tables.
-std::string cloth_key(size_t i, size_t total, const std::string& name) {
-  return total > 1 ? fmt::format("cloth[{}].{}", i + 1, name) : "cloth." + name;
-}
-
 /// What a piece must be smaller than: the tub's half section for pages of a book, else the tub or
 /// the box.
 struct Room {
@@ -26,18 +21,23 @@ Room room_of(const CaseFile& file, const ClothCase& cloth) {
   const WasherSpec& washer = *file.washer;
   if (cloth.arrangement == Arrangement::book)
     return {{washer.radius, washer.depth}, "the tub, whose radius and depth bound a page"};
+  if (cloth.arrangement == Arrangement::layers)
+    return {{2 * std::numbers::pi * washer.radius, washer.depth},
+            "the tub, whose circumference and depth bound a piece bent about the axis"};
   return {{2 * washer.radius, 2 * washer.radius}, "the tub"};
 }
 
 void check_size(const CaseFile& file, const ClothCase& cloth, const Node& root,
                 const std::string& key) {
   if (cloth.arrangement == Arrangement::ring) return;
+  const bool single = cloth.arrangement == Arrangement::sheet;
   const Room room = room_of(file, cloth);
   for (size_t i = 0; i + 1 < static_cast<size_t>(file.result.dimension); ++i)
-    if (!cloth.closed[i] && cloth.size[i] >= room.size[i])
+    if (!cloth.closed[i] && start_extent(cloth, static_cast<int>(i)) >= room.size[i])
       throw error_at_key(root, key, metres(cloth.size[i]),
-                         fmt::format("the cloth is larger than {}, allowed: below {}", room.what,
-                                     metres(room.size[i])));
+                         fmt::format("the cloth is larger than {}, allowed: below {}{}", room.what,
+                                     metres(room.size[i]),
+                                     single ? "" : "; or folded (cloth.folded) as small as that"));
 }
 
 /// Where a page begins, and how much room there is for it.
@@ -66,10 +66,10 @@ void check_edge(const PageEdge& edge, const Node& root, size_t i, size_t total) 
 void check_page(const CaseFile& file, const ClothCase& cloth, const Node& root, size_t i) {
   if (cloth.arrangement != Arrangement::book || !file.washer || cloth.count == 0) return;
   const size_t total = file.result.cloth.size();
-  check_edge({"inner_radius", cloth.inner_radius, cloth.size[0], file.washer->radius,
+  check_edge({"inner_radius", cloth.inner_radius, start_extent(cloth, 0), file.washer->radius,
               "the cloth reaches beyond the tub's wall"},
              root, i, total);
-  check_edge({"bottom", cloth.bottom, cloth.size[1], file.washer->depth,
+  check_edge({"bottom", cloth.bottom, start_extent(cloth, 1), file.washer->depth,
               "the cloth reaches above the water"},
              root, i, total);
 }
@@ -80,10 +80,17 @@ void check_arrangement(const CaseFile& file, const ClothCase& cloth, const Node&
     throw error_at_key(root, cloth_key(i, total, "arrangement"), "\"book\"",
                        "pages need three dimensions, allowed in 2-D: \"random\", \"sheet\", "
                        "\"ring\"");
+  if (cloth.arrangement == Arrangement::layers && file.result.dimension == 2)
+    throw error_at_key(root, cloth_key(i, total, "arrangement"), "\"layers\"",
+                       "layers need three dimensions, allowed in 2-D: \"random\", \"sheet\", "
+                       "\"ring\"");
+  if (cloth.crumpled > 0 && cloth.folded != std::array{1, 1})
+    throw error_at_key(root, cloth_key(i, total, "crumpled"), "",
+                       "a piece starts folded or crumpled, not both");
   if (cloth.arrangement == Arrangement::ring && file.result.dimension == 3)
     throw error_at_key(root, cloth_key(i, total, "arrangement"), "\"ring\"",
                        "a ring is a thread in the plane, allowed in 3-D: \"book\", \"random\", "
-                       "\"sheet\"");
+                       "\"layers\", \"sheet\"");
   const bool single =
       cloth.arrangement == Arrangement::sheet || cloth.arrangement == Arrangement::ring;
   if (single && cloth.count > 1)

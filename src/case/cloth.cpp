@@ -1,16 +1,33 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "case/fabrics.hpp"
 #include "case/tables.hpp"
 
 namespace washtub {
 namespace {
+
+constexpr double air_viscosity = 1.8e-5;  // [Pa s]
 
 bool in_space(const ClothCase&, int dimension) { return dimension == 3; }
 
 template <double Material::*member>
 double& material(ClothCase& cloth) {
   return cloth.material.*member;
+}
+
+/// What a laboratory measures, from which other keys follow.
+void add_measured(Table<ClothCase>& table) {
+  table
+      .key("air_permeability", &ClothCase::air_permeability, quantity(measure::speed, at_least(0)),
+           "of air at 100 Pa (ISO 9237), where `permeability` is not given")
+      .omitted([](const ClothCase& cloth, int) { return cloth.air_permeability == 0; })
+      .key("areal_mass", &ClothCase::areal_mass, quantity(measure::areal_mass, above(0)),
+           "dry mass, where `excess_mass` is not given")
+      .omitted([](const ClothCase& cloth, int) { return cloth.areal_mass == 0; })
+      .key("fibre_density", &ClothCase::fibre_density, quantity(measure::density, above(0)),
+           "by which the fibres of `areal_mass` displace water; of cotton if not given");
 }
 
 void add_material(Table<ClothCase>& table) {
@@ -31,9 +48,14 @@ void add_material(Table<ClothCase>& table) {
            "nu of the cross terms")
       .key("excess_mass", material<&Material::excess_mass>,
            quantity(measure::areal_mass, at_least(0)), "mass beyond that of the displaced water")
+      .fallback("from `areal_mass`, else none")
       .key("thickness", material<&Material::thickness>, quantity(measure::length, above(0)),
            "q, by which forces become stresses")
       .required()
+      .key("permeability", material<&Material::permeability>,
+           quantity(measure::permeability, at_least(0)),
+           "lambda of Darcy's law: velocity at which water goes through, by pressure")
+      .fallback("from `air_permeability`, else none")
       .key("loss_time", material<&Material::loss_time>, quantity(measure::time, at_least(0)),
            "tau of the membrane's stress K (E + tau dE/dt); for coupling.scheme = \"implicit\" "
            "only")
@@ -49,7 +71,12 @@ Table<ClothCase> cloth_table() {
   Table<ClothCase> table(
       "A group of equal pieces of cloth. Repeat `[[cloth]]` for several groups. Lengths of the "
       "start default to proportions of the washer; without `[washer]` to 0.");
-  table.key("count", &ClothCase::count, integer(between(0, 100000)), "number of pieces")
+  table.key("name", &ClothCase::name, label(), "of the group, in statistics, curves and colours")
+      .fallback("`cloth`, of several groups `cloth 1`, `cloth 2` ...")
+      .key("fabric", &ClothCase::fabric, one_of(fabric_names()),
+           "gives what the table does not: see Fabrics below")
+      .omitted([](const ClothCase& cloth, int) { return cloth.fabric.empty(); })
+      .key("count", &ClothCase::count, integer(between(0, 100000)), "number of pieces")
       .key("seed", &ClothCase::seed, seed(), "of the random numbers of the start")
       .key("size", &ClothCase::size, extents(measure::length, above(0)),
            "edge lengths at rest; in 2-D the length alone")
@@ -63,16 +90,83 @@ Table<ClothCase> cloth_table() {
       .key("arrangement", &ClothCase::arrangement,
            choice<Arrangement>({{"book", Arrangement::book},
                                 {"random", Arrangement::random},
+                                {"layers", Arrangement::layers},
                                 {"sheet", Arrangement::sheet},
                                 {"ring", Arrangement::ring}}),
-           "start: pages of a book about the axis, at random, one sheet, or a closed ring (2-D)");
+           "start: pages of a book about the axis, at random, round the axis layer within layer "
+           "(3-D), one sheet, or a closed ring (2-D)");
   add_material(table);
+  add_measured(table);
   add_start(table);
+  table
+      .table(
+          "kes", [](ClothCase& cloth) -> KesReadings& { return *cloth.kes; }, kes_table())
+      .optional([](const ClothCase& cloth) { return cloth.kes.has_value(); },
+                [](ClothCase& cloth) { cloth.kes.emplace(); })
+      .table(
+          "fast", [](ClothCase& cloth) -> FastReadings& { return *cloth.fast; }, fast_table())
+      .optional([](const ClothCase& cloth) { return cloth.fast.has_value(); },
+                [](ClothCase& cloth) { cloth.fast.emplace(); });
   return table;
+}
+
+namespace {
+
+/// Whether a piece is larger than a page of the book has room for.
+bool outgrows_page(const ClothCase& cloth, const WasherSpec& washer) {
+  return cloth.arrangement == Arrangement::book &&
+         (cloth.inner_radius + cloth.size[0] > washer.radius ||
+          cloth.bottom + cloth.size[1] > washer.depth);
+}
+
+/// Starts such a piece round the axis, folded where it has to be.
+std::string use_layers(ClothCase& cloth, const WasherSpec& washer) {
+  const double room[] = {std::numbers::pi * washer.radius, 0.7 * washer.depth};
+  cloth.arrangement = Arrangement::layers;
+  for (size_t d = 0; d < 2; ++d)
+    cloth.folded[d] = std::clamp(static_cast<int>(std::ceil(cloth.size[d] / room[d])), 1, 8);
+  return fmt::format(
+      "{}: pieces of {:.3g} x {:.3g} m are larger than a page about the axis may be, and start "
+      "round it in layers, folded into {} x {} (cloth.arrangement, cloth.folded)",
+      cloth.name, cloth.size[0], cloth.size[1], cloth.folded[0], cloth.folded[1]);
+}
+
+}  // namespace
+
+void complete_cloth(CaseFile& file, const Node& root, int dimension) {
+  auto& groups = file.result.cloth;
+  const FluidCase& fluid = file.result.fluid;
+  for (size_t i = 0; i < groups.size(); ++i) {
+    ClothCase& cloth = groups[i];
+    const auto given = [&](const std::string& key) {
+      return find_key(root, cloth_key(i, groups.size(), key)) != nullptr;
+    };
+    if (cloth.name.empty())
+      cloth.name = groups.size() > 1 ? fmt::format("cloth {}", i + 1) : "cloth";
+    if (cloth.areal_mass > 0 && !given("excess_mass"))
+      cloth.material.excess_mass =
+          cloth.areal_mass * std::max(0.0, 1 - fluid.density / cloth.fibre_density);
+    static constexpr const char* starts[] = {"arrangement", "folded", "crumpled", "inner_radius",
+                                             "bottom",      "shift",  "tilt"};
+    const bool open = std::none_of(std::begin(starts), std::end(starts), given);
+    if (file.washer && dimension == 3 && open && outgrows_page(cloth, *file.washer))
+      file.result.notes.push_back(use_layers(cloth, *file.washer));
+    if (!given("permeability"))
+      cloth.material.permeability = cloth.air_permeability / 100 * air_viscosity / fluid.viscosity;
+  }
+}
+
+std::string cloth_key(size_t i, size_t total, const std::string& name) {
+  return total > 1 ? fmt::format("cloth[{}].{}", i + 1, name) : "cloth." + name;
 }
 
 bool is_held(const std::vector<Edge>& held, int direction, int end) {
   return std::count(held.begin(), held.end(), static_cast<Edge>(2 * direction + end)) > 0;
+}
+
+double start_extent(const ClothCase& cloth, int direction) {
+  const auto d = static_cast<size_t>(direction);
+  return cloth.size[d] / cloth.folded[d] * (1 - cloth.crumpled);
 }
 
 double intervals(const ClothCase& cloth, int direction, int nodes) {

@@ -11,7 +11,7 @@ bool is_ring(const ClothCase& cloth, int) { return cloth.arrangement == Arrangem
 bool is_rippled(const ClothCase& cloth, int dimension) {
   return is_sheet(cloth, dimension) || is_ring(cloth, dimension);
 }
-bool is_drawn(const ClothCase& cloth, int dimension) { return !is_rippled(cloth, dimension); }
+bool is_placed(const ClothCase& cloth, int dimension) { return !is_rippled(cloth, dimension); }
 bool is_bent(const ClothCase& cloth, int dimension) {
   return is_sheet(cloth, dimension) || cloth.arrangement == Arrangement::random;
 }
@@ -37,7 +37,17 @@ void add_book(Table<ClothCase>& table) {
       .key("clearance", &ClothCase::clearance, quantity(measure::length, at_least(0)),
            "smallest distance to solids, surface and other pieces")
       .fallback("0.0129 of the tub radius")
-      .only("for \"book\" and \"random\"", is_drawn);
+      .only("for \"book\", \"random\" and \"layers\"", is_placed);
+}
+
+void add_packet(Table<ClothCase>& table) {
+  table
+      .key("folded", &ClothCase::folded, sheet_counts(between(1, 8)),
+           "into so many layers along its edges: 2 in halves, 3 in thirds")
+      .only("for \"book\", \"random\" and \"layers\"", is_placed)
+      .key("crumpled", &ClothCase::crumpled, number(between(0, 0.6)),
+           "part of its extent that a piece loses in random creases")
+      .only("for \"book\", \"random\" and \"layers\"", is_placed);
 }
 
 /// Pointer to a direction of a sheet.
@@ -115,6 +125,7 @@ void normalise(ClothCase& cloth, const Node& node, int dimension) {
 
 void add_start(Table<ClothCase>& table) {
   add_book(table);
+  add_packet(table);
   add_sheet(table);
   add_ring(table);
   add_bend(table);

@@ -22,6 +22,10 @@ const Table<CaseFile>& case_table();
 Table<FluidCase> fluid_table();
 Table<DomainCase> domain_table();
 Table<ClothCase> cloth_table();
+/// What follows from other keys of `[[cloth]]`, and names of groups that have none.
+void complete_cloth(CaseFile& file, const Node& root, int dimension);
+/// The key of a member of the i-th of `total` cloth tables.
+std::string cloth_key(size_t i, size_t total, const std::string& name);
 /// Adds the keys that say where and how cloth starts.
 void add_start(Table<ClothCase>& table);
 Table<ProbeCase> probe_table();

@@ -18,6 +18,7 @@ struct Material {
   /// tau of Kelvin's and Voigt's law: membrane stress is K (E + tau dE/dt) [s]. Implicit solve
   /// only.
   double loss_time = 0;
+  double permeability = 0;  ///< lambda, velocity through the cloth by pressure [m/(s Pa)]
 };
 
 }  // namespace washtub

@@ -61,14 +61,14 @@ Vec<D> HeldPairs<D>::gap(const Held& held, const std::vector<Vec<D>>& x) const {
   return sum;
 }
 
-/// What the gap of a pair gives way to a unit of force along each axis [m/N].
+/// What the gap of a pair gives way to a unit of force [m/N].
 template <int D>
-Vec<D> HeldPairs<D>::yielding(const Held& held, const HeldStep<D>& step) const {
-  Vec<D> sum = Vec<D>::Zero();
+Mat<D> HeldPairs<D>::yielding(const Held& held, const HeldStep<D>& step) const {
+  Mat<D> sum = Mat<D>::Zero();
   for (std::size_t k = 0; k < Pair<D>::points; ++k) {
     const auto node =
         static_cast<std::size_t>(surface_.node[static_cast<std::size_t>(held.pair.point[k])]);
-    sum += held.weight[k] * held.weight[k] * step.stiffness[node].cwiseInverse();
+    sum += held.weight[k] * held.weight[k] * step.yield[node];
   }
   return sum;
 }
@@ -77,16 +77,17 @@ Vec<D> HeldPairs<D>::yielding(const Held& held, const HeldStep<D>& step) const {
 template <int D>
 void HeldPairs<D>::sweep(Held& held, const HeldStep<D>& step, double& worst) {
   const Vec<D>& n = held.normal;
-  const Vec<D> yields = yielding(held, step), now = gap(held, moved_);
+  const Mat<D> yields = yielding(held, step);
+  const Vec<D> now = gap(held, moved_);
   const double miss = held.least - now.dot(n);
   worst = std::max(worst, miss);
   if (held.force == 0 && miss <= fine * gap_) return;
-  const double along = n.cwiseProduct(n).dot(yields);
+  const double along = n.dot(yields * n);
   const double force = std::max(0.0, held.force + miss / along);
   Vec<D> drag = Vec<D>::Zero();
   if (const double most = friction(held.pair) * force; most > 0) {
     const Vec<D> slid = now - gap(held, step.start), aside = slid - slid.dot(n) * n;
-    drag = held.drag - aside * (D - 1) / (yields.sum() - along);
+    drag = held.drag - aside * (D - 1) / (yields.trace() - along);
     if (drag.norm() > most) drag *= most / drag.norm();
   }
   const Vec<D> change = (force - held.force) * n + drag - held.drag;
@@ -96,7 +97,7 @@ void HeldPairs<D>::sweep(Held& held, const HeldStep<D>& step, double& worst) {
   for (std::size_t k = 0; k < Pair<D>::points; ++k) {
     const auto node =
         static_cast<std::size_t>(surface_.node[static_cast<std::size_t>(held.pair.point[k])]);
-    moved_[node] += held.weight[k] * change.cwiseQuotient(step.stiffness[node]);
+    moved_[node] += held.weight[k] * (step.yield[node] * change);
   }
 }
 

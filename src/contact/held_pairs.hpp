@@ -47,7 +47,7 @@ class HeldPairs {
   void look(const Pair<D>& pair, const std::vector<Vec<D>>& x, const std::vector<Vec<D>>& y);
   void gather();
   void sweep(Held& held, const HeldStep<D>& step, double& worst);
-  Vec<D> yielding(const Held& held, const HeldStep<D>& step) const;
+  Mat<D> yielding(const Held& held, const HeldStep<D>& step) const;
   double friction(const Pair<D>& pair) const;
   Vec<D> gap(const Held& held, const std::vector<Vec<D>>& x) const;
 

@@ -11,11 +11,11 @@ template <int D>
 struct HeldStep {
   using Nodes = std::vector<Vec<D>>;
 
-  double dt;                  ///< [s]
-  const Nodes& start;         ///< X^n [m]
-  const Nodes& next;          ///< as solved last [m]
-  const Nodes& stiffness;     ///< m/dt^2 of each node and component, if nothing holds it [N/m]
-  Nodes& push;                ///< forces that keep parts of the cloth apart [N]
+  double dt;                         ///< [s]
+  const Nodes& start;                ///< X^n [m]
+  const Nodes& next;                 ///< as solved last [m]
+  const std::vector<Mat<D>>& yield;  ///< way of each node by a force, if nothing holds it [m/N]
+  Nodes& push;                       ///< forces that keep parts of the cloth apart [N]
   std::vector<char>& pushed;  ///< nodes whose `push` or hold has changed since they were solved
 };
 

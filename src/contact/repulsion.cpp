@@ -1,10 +1,10 @@
 #include "contact/repulsion.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "cloth/face_normal.hpp"
 #include "contact/geometry.hpp"
 
 namespace washtub {
@@ -186,7 +186,8 @@ template <int D>
 double Repulsion<D>::pressure(double d, double dt) const {
   const double P = set_.pressure * (set_.rise > 0 ? std::min(1.0, age_ / set_.rise) : 1);
   if (!(P > 0)) return 0;
-  const double d0 = set_.range, bound = steepest * set_.areal_mass / (dt * dt);
+  const double d0 = set_.range, yields = dt * dt / set_.areal_mass + dt * set_.permeability;
+  const double bound = steepest / yields;
   const double knee = d0 / std::sqrt(bound * d0 / P + 1);  // -p' = P (d0/d^2 - 1/d0) = bound
   const auto law = [&](double x) { return P * (1 - x / d0) * (1 - x / d0) * d0 / x; };
   return d > knee ? law(d) : law(knee) + bound * (knee - d);
@@ -224,11 +225,7 @@ template <int D>
 void Repulsion<D>::measure_faces() {
   for (std::size_t f = 0; f < centre_.size(); ++f) {
     const auto& face = surface_.faces[f];
-    if constexpr (D == 3)
-      normal_[f] = (x_[face[1]] - x_[face[0]]).cross(x_[face[2]] - x_[face[0]]);
-    else
-      normal_[f] = Vec<2>(x_[face[0]][1] - x_[face[1]][1], x_[face[1]][0] - x_[face[0]][0]);
-    normal_[f].normalize();
+    normal_[f] = face_normal<D>(face, x_).normalized();
     centre_[f].setZero();
     for (const int point : face) centre_[f] += x_[point] / D;
     double squares = 0;

@@ -15,8 +15,9 @@ namespace washtub {
 ///   p(d) = P (1 - d/d0)^2 d0/d
 /// between each sample of the surface and the nearest point of other cloth on either side of it;
 /// sheets beyond those are not felt through them. Faces of the own piece count where they are
-/// farther away along the cloth. Below a knee, where -p' reaches a quarter of areal mass over dt^2,
-/// p goes on linearly, so that an explicit step stays stable. Both sides sample, each for half of
+/// farther away along the cloth. Below a knee, where -p' reaches a quarter of what moves a sheet in
+/// a step (areal mass over dt^2 where it lets no water through), p goes on linearly, so that an
+/// explicit step stays stable. Both sides sample, each for half of
 /// it; force and moment add up to nothing.
 ///
 /// Friction is Coulomb's, friction times p against the relative velocity along the sheets, or less

@@ -19,6 +19,8 @@ struct ContactSettings {
   double areal_mass = 0;
   /// A node closes at most 1 - exp(-dt/solid_time) of its gap to a solid in a step [s]; 0: all.
   double solid_time = 0;
+  double permeability =
+      0;  ///< the largest of any cloth [m/(s Pa)], which bounds explicit forces too
 };
 
 }  // namespace washtub

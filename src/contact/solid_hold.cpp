@@ -30,7 +30,7 @@ void SolidHold<D>::begin(const typename Barrier<D>::Touch& found, HeldStep<D>& s
   const auto i = static_cast<std::size_t>(found.node);
   Touch t{found.node, found.surface, found.normal};
   t.plane = t.normal.dot(step.next[i]) - found.excess;
-  t.spring = grip * step.stiffness[i].maxCoeff();
+  t.spring = grip / step.yield[i].diagonal().minCoeff();
   const Anchor* before = anchor(t.node, t.surface);
   t.anchor = before ? before->place : step.start[i];
   t.anchor += barrier_.way(t.surface, t.anchor, step.dt);

@@ -6,7 +6,12 @@ namespace washtub {
 
 template <int D>
 CoupledStep<D>::CoupledStep(Flow<D>& flow_, Cloth<D>& cloth_, PhaseClock* clock_)
-    : clock(clock_), flow(flow_), cloth(cloth_), inertia(cloth_) {
+    : clock(clock_),
+      flow(flow_),
+      cloth(cloth_),
+      surface(cloth_),
+      inertia(cloth_),
+      permeability(cloth_, surface) {
   for (const auto& g : cloth.groups)
     for (int p = 0; p < g.pieces; ++p)
       for (const int node : g.pinned) pinned.push_back(g.node(p, node));
@@ -34,6 +39,13 @@ template <int D>
 void CoupledStep<D>::add_up_force() {
   for (std::size_t i = 0; i < force.size(); ++i)
     force[i] = cloth.elastic[i] + given[i] + inertia.force()[i];
+}
+
+template <int D>
+Mat<D> CoupledStep<D>::yield(std::size_t node) const {
+  Mat<D> ways = (dt() * dt() * mobility[node]).asDiagonal();
+  if (permeability.any()) ways += dt() * permeability[node];
+  return ways;
 }
 
 template <int D>

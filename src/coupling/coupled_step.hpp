@@ -7,6 +7,7 @@
 #include "contact/barrier.hpp"
 #include "contact/contact.hpp"
 #include "coupling/inertia.hpp"
+#include "coupling/permeability.hpp"
 #include "flow/flow.hpp"
 
 namespace washtub {
@@ -39,17 +40,22 @@ struct CoupledStep {
   void find_given();
   /// force = elastic force, given ones and inertia, as they were found last.
   void add_up_force();
+  /// What a node gives way to a unit of force in this step, by moving the water and past it [m/N].
+  Mat<D> yield(std::size_t node) const;
   /// Largest strain of the cloth at `next`, into the report.
   void measure_strain();
 
   PhaseClock* clock;
   Flow<D>& flow;
   Cloth<D>& cloth;
+  ClothSurface<D> surface;
   Inertia<D> inertia;
+  Permeability<D> permeability;
   std::vector<std::unique_ptr<NodalForce<D>>> forces;
   std::vector<int> pinned;  ///< nodes that never move
   /// Velocity of the water at the nodes [m/s]: before the projection with the force and pressure of
-  /// the last step, then u^n+1, with 0 at pinned nodes.
+  /// the last step, then u^n+1 and what cloth moves past it by the force of this step, with 0 at
+  /// pinned nodes.
   Nodes water;
   Nodes mobility;  ///< D of the nodes [1/kg]
   Nodes given;     ///< sum of the forces of the list [N]

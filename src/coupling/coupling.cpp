@@ -1,5 +1,6 @@
 #include "coupling/coupling.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -26,15 +27,14 @@ Coupling<D>::Coupling(Flow<D>& flow, Cloth<D>& cloth, const DomainMapping<D>& ma
       step_(flow, cloth, clock),
       boundary_(flow.grid(), cloth, kernel, sides, marker_spacing),
       barrier_(flow.grid(), mapping, cloth, contact.solid_time),
-      surface_(cloth),
       middle_(cloth.position.size()),
       place_of_mobility_(cloth.position.size(), Vec<D>::Zero()),
       pin_force_(step_.pinned.size()) {
   if (contact.scheme == ContactScheme::layers) {
     const auto& mesh = flow.grid().mesh();
     const auto& parallel = flow.grid().parallel();
-    contact_.emplace(surface_, cloth, mesh, parallel, contact);
-    add(std::make_unique<Repulsion<D>>(surface_, mesh, parallel, contact,
+    contact_.emplace(step_.surface, cloth, mesh, parallel, contact);
+    add(std::make_unique<Repulsion<D>>(step_.surface, mesh, parallel, contact,
                                        friction_of_groups(cloth)));
   }
   scheme_ = make_scheme(scheme, step_, barrier_, contact_ ? &*contact_ : nullptr);
@@ -67,16 +67,21 @@ void Coupling<D>::find_water() {
 template <int D>
 void Coupling<D>::find_pins() {
   for (std::size_t k = 0; k < pin_force_.size(); ++k) {
-    const int i = step_.pinned[k];
-    pin_force_[k] = step_.force[i] - step_.water[i].cwiseQuotient(step_.mobility[i]) / step_.dt();
+    const auto i = static_cast<std::size_t>(step_.pinned[k]);
+    const Vec<D> way = step_.dt() * step_.water[i] -
+                       step_.dt() * step_.dt() * step_.mobility[i].cwiseProduct(step_.force[i]);
+    pin_force_[k] = -step_.yield(i).inverse() * way;
   }
 }
 
-/// Velocity of the projected water at the nodes.
+/// Velocity of the projected water at the nodes, and of cloth that it goes through past it.
 template <int D>
 void Coupling<D>::find_velocity() {
   const InPhase interpolating(step_.clock, Phase::exchange);
   boundary_.interpolate(step_.flow.velocity(), step_.water);
+  if (step_.permeability.any())
+    for (std::size_t i = 0; i < step_.water.size(); ++i)
+      step_.water[i] += step_.permeability[i] * step_.force[i];
   double leak = 0;
   for (const int node : step_.pinned) leak += step_.water[node].squaredNorm();
   for (const int node : step_.pinned) step_.water[node].setZero();
@@ -102,6 +107,7 @@ void Coupling<D>::push() {
     middle_[i] = step_.cloth.position[i] + ahead * step_.cloth.velocity[i];
   boundary_.place(middle_);
   if (scheme_->needs_provisional() || !step_.pinned.empty()) find_water();
+  step_.permeability.find(step_.cloth.position);
   find_pins();
   {
     const InPhase touching(step_.clock, Phase::contact);

@@ -17,7 +17,8 @@ namespace washtub {
 ///
 /// A pinned node stays where it is, and its force on the water is the last one less m_i U / dt,
 /// with U what the water's velocity there would become otherwise and m_i the ghost mass of
-/// ImplicitScheme. That goes on until the water rests.
+/// ImplicitScheme. That goes on until the water rests there, or goes through the cloth by Darcy's
+/// law.
 template <int D>
 class Coupling {
  public:
@@ -75,7 +76,6 @@ class Coupling {
   CoupledStep<D> step_;
   ImmersedBoundary<D> boundary_;
   Barrier<D> barrier_;
-  ClothSurface<D> surface_;
   std::optional<Contact<D>> contact_;
   std::unique_ptr<CouplingScheme<D>> scheme_;
   std::vector<Vec<D>> middle_;                  ///< where the delta functions stand [m]

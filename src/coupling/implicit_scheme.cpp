@@ -1,5 +1,6 @@
 #include "coupling/implicit_scheme.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <string>
 
@@ -40,15 +41,17 @@ ImplicitScheme<D>::ImplicitScheme(CoupledStep<D>& step, Barrier<D>& barrier, Con
       piece_.insert(piece_.end(), g.sheet.nodes(), g.first_piece + p);
     }
   }
-  for (auto* n : {&inertia_, &free_, &push_, &target_}) n->resize(piece_.size(), Vec<D>::Zero());
-  stiffness_.resize(piece_.size());
+  for (auto* n : {&free_, &push_, &target_}) n->resize(piece_.size(), Vec<D>::Zero());
+  for (auto* m : {&inertia_, &yield_, &stiffness_}) m->resize(piece_.size());
   pushed_.resize(piece_.size(), 0);
 }
 
 /// Whether the inertia of a node has to be taken at the new time.
 template <int D>
-bool ImplicitScheme<D>::heavy(int node, int component) const {
-  return step_.inertia.mass(node) * step_.mobility[node][component] > light;
+bool ImplicitScheme<D>::heavy(std::size_t node) const {
+  const double dt = step_.dt();
+  return step_.inertia.mass(static_cast<int>(node)) * step_.yield(node).diagonal().maxCoeff() >
+         light * dt * dt;
 }
 
 /// Y = argmin sum m_i/(2 dt^2) |Y - Z|^2 + W(Y), with the inertia of heavy cloth inside.
@@ -60,30 +63,40 @@ void ImplicitScheme<D>::push() {
   hold_off();
   for (std::size_t g = 0; g < mine_.size(); ++g) share_among_ranks(g, step_.cloth.elastic);
   for (int i = 0; i < step_.cloth.nodes(); ++i)
-    for (int c = 0; c < D; ++c)
-      if (heavy(i, c)) step_.inertia.find(i, c, step_.next, step_.dt());
+    for (int c = 0; heavy(static_cast<std::size_t>(i)) && c < D; ++c)
+      step_.inertia.find(i, c, step_.next, step_.dt());
   step_.add_up_force();
   add_reactions();
 }
 
+/// Where a node goes if nothing holds it, and how firmly.
+template <int D>
+void ImplicitScheme<D>::find_target(std::size_t i) {
+  const double dt = step_.dt();
+  const auto &x = step_.cloth.position[i], &v = step_.cloth.velocity[i];
+  const Vec<D> water =
+      x + dt * step_.water[i] - dt * dt * step_.mobility[i].cwiseProduct(step_.force[i]);
+  yield_[i] = step_.yield(i);
+  inertia_[i] = yield_[i].inverse();
+  Vec<D> pull = inertia_[i] * water + step_.given[i];
+  if (heavy(i)) {
+    const double extra = step_.inertia.mass(static_cast<int>(i)) / (dt * dt);
+    pull += extra * (x + dt * v);
+    inertia_[i].diagonal().array() += extra;
+    yield_[i] = inertia_[i].inverse();
+  } else {
+    pull += step_.inertia.force()[i];
+  }
+  free_[i] = yield_[i] * pull;
+}
+
 template <int D>
 void ImplicitScheme<D>::find_targets() {
-  const double dt = step_.dt();
-  const auto &position = step_.cloth.position, &velocity = step_.cloth.velocity;
-  for (int i = 0; i < step_.cloth.nodes(); ++i)
-    for (int c = 0; c < D; ++c) {
-      const double m = 1 / step_.mobility[i][c], x = position[i][c];
-      const double free = x + dt * step_.water[i][c];
-      const double extra = heavy(i, c) ? step_.inertia.mass(i) : 0;
-      const double e = step_.given[i][c] + (extra > 0 ? 0 : step_.inertia.force()[i][c]);
-      const double push = dt * dt / m * (e - step_.force[i][c]);
-      inertia_[i][c] = (m + extra) / (dt * dt);
-      free_[i][c] = (m * (free + push) + extra * (x + dt * velocity[i][c])) / (m + extra);
-    }
-  for (std::size_t i = 0; i < free_.size(); ++i) stiffness_[i] = inertia_[i].asDiagonal();
+  for (std::size_t i = 0; i < free_.size(); ++i) find_target(i);
+  stiffness_ = inertia_;
   std::fill(push_.begin(), push_.end(), Vec<D>::Zero());
   target_ = free_;
-  for (const int node : step_.pinned) target_[node] = position[node];
+  for (const int node : step_.pinned) target_[node] = step_.cloth.position[node];
 }
 
 template <int D>
@@ -127,7 +140,7 @@ void ImplicitScheme<D>::hold_off() {
   if (contact_) contact_->start();
   for (int round = 0; round < rounds; ++round) {
     std::fill(pushed_.begin(), pushed_.end(), 0);
-    HeldStep<D> step{step_.dt(), step_.cloth.position, step_.next, inertia_, push_, pushed_};
+    HeldStep<D> step{step_.dt(), step_.cloth.position, step_.next, yield_, push_, pushed_};
     solids_.hold(step);
     if (contact_) {
       const InPhase touching(step_.clock, Phase::contact);
@@ -147,8 +160,8 @@ bool ImplicitScheme<D>::bind_pushed() {
   bool any = false;
   for (int i = 0; i < step_.cloth.nodes(); ++i) {
     if (!pushed_[i]) continue;
-    stiffness_[i] = inertia_[i].asDiagonal();
-    Vec<D> pull = inertia_[i].cwiseProduct(free_[i]) + push_[i];
+    stiffness_[i] = inertia_[i];
+    Vec<D> pull = inertia_[i] * free_[i] + push_[i];
     solids_.add(i, stiffness_[i], pull);
     target_[i] = stiffness_[i].inverse() * pull;
     stale_[piece_[i]] = 1;

@@ -8,7 +8,8 @@ namespace washtub {
 /// Takes the water that a node drags along as a mass m_i = 1/D_i ("ghost mass", D the lumped
 /// mobility) and minimises sum m_i |Y - Z|^2 / (2 dt^2) + W(Y), with Z where the node would go if
 /// the forces of the step before went on. Linearly stable for any stiffness. The inertia of heavy
-/// cloth is part of the minimum, that of light cloth lags a step.
+/// cloth is part of the minimum, that of light cloth lags a step. Where cloth lets water through
+/// with P, (dt^2/m + dt P)^-1 takes the place of m/dt^2.
 ///
 /// What would come too near to something is held off it and solved again, until nothing is left to
 /// hold. What that takes are the forces of surfaces on nodes, and of parts of the cloth on each
@@ -28,7 +29,8 @@ class ImplicitScheme : public CouplingScheme<D> {
  private:
   using Nodes = std::vector<Vec<D>>;
 
-  bool heavy(int node, int component) const;
+  bool heavy(std::size_t node) const;
+  void find_target(std::size_t node);
   void find_targets();
   void solve_group(std::size_t g, const std::vector<int>& pieces);
   void share_among_ranks(std::size_t g, Nodes& values);
@@ -43,10 +45,11 @@ class ImplicitScheme : public CouplingScheme<D> {
   std::vector<std::vector<int>> mine_;  ///< pieces of each group that this rank solves
   SolidHold<D> solids_;
   Contact<D>* contact_;
-  Nodes inertia_;                  ///< m/dt^2 [N/m]
+  std::vector<Mat<D>> inertia_;    ///< m/dt^2, less where cloth lets water through [N/m]
+  std::vector<Mat<D>> yield_;      ///< its inverse
   Nodes free_;                     ///< Z of nodes that nothing holds [m]
   Nodes push_;                     ///< of parts of the cloth on each other [N]
-  std::vector<Mat<D>> stiffness_;  ///< m/dt^2 and what holds the node [N/m]
+  std::vector<Mat<D>> stiffness_;  ///< inertia and what holds the node [N/m]
   Nodes target_;                   ///< where both together draw it [m]
   std::vector<char> pushed_;       ///< nodes whose hold has changed
   std::vector<int> piece_;         ///< of each node, among all pieces

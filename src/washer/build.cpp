@@ -9,6 +9,7 @@
 #include "cloth/plate.hpp"
 #include "cloth/thread.hpp"
 #include "contact/start_check.hpp"
+#include "washer/packet.hpp"
 #include "washer/placement.hpp"
 
 namespace washtub {
@@ -83,9 +84,13 @@ ContactSettings build_contact(const Case& whole) {
     finest = std::min(finest, whole.domain.size[d] / whole.domain.cells[d]);
   contact.range = given.range;
   contact.pressure = given.pressure;
-  contact.rise = 0.1 * whole.scale.period;
+  // Layers that start much nearer to each other than the range part slowly.
+  const bool packed = std::any_of(whole.cloth.begin(), whole.cloth.end(), is_packed);
+  contact.rise = (packed ? 1 : 0.1) * whole.scale.period;
   contact.gap = given.gap;
   contact.areal_mass = whole.fluid.density * finest * kernel_thickness(whole.coupling.kernel);
+  for (const ClothCase& cloth : whole.cloth)
+    contact.permeability = std::max(contact.permeability, cloth.material.permeability);
   contact.solid_time = given.solid_time;
   return contact;
 }

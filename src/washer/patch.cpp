@@ -25,13 +25,16 @@ double sharpest(const Patch& patch) {
 
 }  // namespace
 
+Vec<3> Patch::normal_at(double r) const {
+  return std::cos(curvature * r) * normal - std::sin(curvature * r) * along[0];
+}
+
 Vec<3> Patch::at(double r, double s) const {
   const double angle = curvature * r;
-  const Vec<3> outward = std::cos(angle) * normal - std::sin(angle) * along[0];
   const double half = 0.5 * angle;
   const double chord = half == 0 ? r : r * std::sin(half) / half;
   Vec<3> x = origin + s * along[1] + chord * (std::cos(half) * along[0] + std::sin(half) * normal);
-  if (ripple != 0) x += ripple * std::sin(2 * pi * ripples * r / size[0] + phase) * outward;
+  if (ripple != 0) x += ripple * std::sin(2 * pi * ripples * r / size[0] + phase) * normal_at(r);
   return x;
 }
 
@@ -49,7 +52,7 @@ Facets facets(const Patch& patch, std::array<double, 2> r, std::array<double, 2>
       most = most.cwiseMax(x);
     }
   }
-  all.slack = bend * length * length / (8.0 * n * n);
+  all.slack = bend * length * length / (8.0 * n * n) + 0.5 * patch.thickness;
   all.centre = 0.5 * (least + most);
   all.reach = 0.5 * (most - least).norm();
   return all;

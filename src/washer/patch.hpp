@@ -15,9 +15,15 @@ struct Patch {
   double curvature = 0;            ///< along r, towards the normal [1/m]
   double ripple = 0;               ///< normal displacement ripple sin(2 pi ripples r/size + phase)
   double ripples = 0, phase = 0;
+  /// Folded or crumpled: places of the nodes from the centre, along r, s and the normal [m]; they
+  /// lie within half of `thickness` from the flat patch.
+  std::vector<Vec<3>> packed{};
+  double thickness = 0;  ///< [m]
 
   /// The point at arc length r along the unrippled curve, and s [m].
   Vec<3> at(double r, double s) const;
+  /// The unit vector normal to the unrippled curve there.
+  Vec<3> normal_at(double r) const;
 };
 
 /// Flat pieces that stand for a patch from r = from to r = to [m] and along all of s: none of its

@@ -12,13 +12,17 @@
 
 #include "base/error.hpp"
 #include "case/solids.hpp"
+#include "washer/packet.hpp"
 
 namespace washtub {
 namespace {
 
-constexpr int most_draws = 10000;  // of one piece, before its group starts again
-constexpr int most_starts = 20;    // of a group
-constexpr double fineness = 1e-4;  // of the search for solids, in edge lengths
+constexpr int most_draws = 10000;     // of one piece, before its group starts again
+constexpr int most_starts = 20;       // of a group
+constexpr double wall_cells = 0.6;    // from the wall to the first layer
+constexpr int tries_per_place = 8;    // in a layer, at different heights
+constexpr double least_layer = 1e-3;  // from one layer of pieces to the next, beyond clearance [m]
+constexpr double fineness = 1e-4;     // of the search for solids, in edge lengths
 
 class Draw {
  public:
@@ -67,6 +71,8 @@ class Placer {
     const std::size_t first = placed_.size();
     for (int start = 0; start < most_starts; ++start) {
       placed_.resize(first);
+      layer_depth_ = first_layer();
+      layer_tries_ = 0;
       if (!fill()) continue;
       std::vector<Patch> own;
       for (std::size_t p = first; p < placed_.size(); ++p) own.push_back(placed_[p].patch);
@@ -81,20 +87,29 @@ class Placer {
     Facets facets;
   };
 
-  std::array<double, 2> size() const {
-    return {cloth_.size[0], whole_.dimension == 3 ? cloth_.size[1] : 0.0};
+  /// A piece of the group about a centre, bent along r.
+  Patch piece(const Vec<3>& centre, const Vec<3>& along_r, const Vec<3>& along_s,
+              double curvature) const {
+    if (!is_packed(cloth_)) {
+      const double s = whole_.dimension == 3 ? cloth_.size[1] : 0.0;
+      return centred_patch(centre, along_r, along_s, {cloth_.size[0], s}, curvature);
+    }
+    Patch patch = centred_patch(centre, along_r, along_s, packet_.size, curvature);
+    patch.thickness = packet_.thickness;
+    patch.packed = packet_.nodes;
+    return patch;
   }
 
   Patch page() {
     const double angle = 2 * std::numbers::pi * static_cast<double>(placed_.size()) / pieces_;
     const Vec<3> outwards(std::cos(angle), std::sin(angle), 0), upwards = Vec<3>::UnitZ();
-    Vec<3> centre = (cloth_.inner_radius + 0.5 * cloth_.size[0]) * outwards;
-    centre[2] = whole_.domain.lower[2] + cloth_.bottom + 0.5 * cloth_.size[1];
+    Vec<3> centre = (cloth_.inner_radius + 0.5 * start_extent(cloth_, 0)) * outwards;
+    centre[2] = whole_.domain.lower[2] + cloth_.bottom + 0.5 * start_extent(cloth_, 1);
     centre += cloth_.shift * draw_.normals();
     const Vec<3> by = cloth_.tilt * draw_.normals();
     const Vec<3> turn = by[0] * outwards + by[1] * upwards + by[2] * outwards.cross(upwards);
     const Eigen::AngleAxisd tilt(turn.norm(), turn.stableNormalized());
-    return centred_patch(centre, tilt * outwards, tilt * upwards, size(), 0);
+    return piece(centre, tilt * outwards, tilt * upwards, 0);
   }
 
   Patch anywhere() {
@@ -105,7 +120,41 @@ class Placer {
     if (whole_.dimension == 2) r[2] = 0;
     r.normalize();
     s = (s - s.dot(r) * r).normalized();
-    return centred_patch(centre, r, s, size(), cloth_.curvature);
+    return piece(centre, r, s, cloth_.curvature);
+  }
+
+  /// Bent about the axis, in the next place of the layer at hand, which starts at a random angle.
+  /// Each place is tried at a few heights.
+  Patch in_layer() {
+    const Patch flat = piece(Vec<3>::Zero(), Vec<3>::UnitX(), Vec<3>::UnitY(), 0);
+    // As far from all sides as half of it is thick, and the flat pieces that stand for it are off.
+    const double c = cloth_.clearance + 0.5 * flat.thickness + least_layer;
+    const double depth = whole_.domain.size[2], radius = whole_.scale.length - layer_depth_ - c;
+    const auto fit = [](double room, double size) {
+      return std::max(1, static_cast<int>(room / size));
+    };
+    const int round = fit(2 * std::numbers::pi * radius, flat.size[0] + c);
+    const int tiers = fit(depth - c, flat.size[1] + c);
+    if (layer_tries_ == 0) layer_angle_ = 2 * std::numbers::pi * draw_.uniform();
+    const int place = layer_tries_++ / tries_per_place;
+    if (layer_tries_ == round * tiers * tries_per_place) next_layer(flat.thickness);
+    const double angle = layer_angle_ + 2 * std::numbers::pi * (place % round) / round;
+    const double tier = (depth - c) / tiers, play = std::max(0.0, tier - flat.size[1] - c);
+    const Vec<3> outwards(std::cos(angle), std::sin(angle), 0), upwards = Vec<3>::UnitZ();
+    Vec<3> centre = radius * outwards;
+    centre[2] = whole_.domain.lower[2] + c + 0.5 * flat.size[1] + tier * (place / round) +
+                play * draw_.uniform();
+    return piece(centre, upwards.cross(outwards), upwards, -1 / radius);
+  }
+
+  /// Nodes that start in the cell at the wall have hardly any water about them.
+  double first_layer() const { return wall_cells * whole_.domain.size[0] / whole_.domain.cells[0]; }
+
+  /// Inwards from the last layer, or again from the wall once that is past the axis.
+  void next_layer(double thickness) {
+    layer_tries_ = 0;
+    layer_depth_ += thickness + cloth_.clearance + least_layer;
+    if (layer_depth_ + thickness > 0.9 * whole_.scale.length) layer_depth_ = first_layer();
   }
 
   /// Where the next piece might start.
@@ -115,6 +164,8 @@ class Placer {
         return page();
       case Arrangement::random:
         return anywhere();
+      case Arrangement::layers:
+        return in_layer();
       case Arrangement::sheet:
         return sheet_patch(cloth_, whole_);
       case Arrangement::ring:
@@ -138,6 +189,7 @@ class Placer {
 
   std::optional<Piece> free_place() {
     hits_.clear();
+    if (is_packed(cloth_)) packet_ = make_packet(cloth_, whole_, placed_.size());
     for (int k = 0; k < most_draws; ++k) {
       Piece piece{candidate(), {}};
       piece.facets = facets(piece.patch);
@@ -152,8 +204,8 @@ class Placer {
     const auto less = [](const auto& a, const auto& b) { return a.second < b.second; };
     return InputError(fmt::format(
         "piece {} of {}: no free place in {} draws, {} times over; most often it comes nearer than "
-        "{:.3g} m to {}; try a smaller cloth.count, cloth.size or cloth.clearance, or another "
-        "cloth.seed",
+        "{:.3g} m to {}; try a smaller cloth.count, cloth.size or cloth.clearance, pieces that are "
+        "folded (cloth.folded), or another cloth.seed",
         placed_.size() + 1, pieces_, most_draws, most_starts, cloth_.clearance,
         std::max_element(hits_.begin(), hits_.end(), less)->first));
   }
@@ -221,6 +273,10 @@ class Placer {
   std::vector<SolidPose> poses_;     ///< of them, at t = 0
   std::vector<Piece> placed_;        ///< of all groups so far
   int pieces_ = 0;                   ///< of all groups
+  Packet packet_;                    ///< the piece that is to be placed, if it is packed
+  double layer_depth_ = 0;           ///< of the layer of pieces at hand, from the wall [m]
+  double layer_angle_ = 0;           ///< where it begins [rad]
+  int layer_tries_ = 0;              ///< of its places so far
   std::map<std::string, int> hits_;  ///< what the last piece met, and how often
 };
 
@@ -231,7 +287,22 @@ std::vector<Patch> place_cloth(const ClothCase& cloth, const Case& whole,
   return Placer(cloth, whole, others).place();
 }
 
+namespace {
+
+/// The packet along the bent patch, each row as long as it is.
+std::vector<Vec<3>> packed_places(const Patch& patch) {
+  std::vector<Vec<3>> where;
+  for (const Vec<3>& x : patch.packed) {
+    const double r = 0.5 * patch.size[0] + x[0] / (1 - patch.curvature * x[2]);
+    where.push_back(patch.at(r, 0.5 * patch.size[1] + x[1]) + x[2] * patch.normal_at(r));
+  }
+  return where;
+}
+
+}  // namespace
+
 std::vector<Vec<3>> node_places(const Patch& patch, const ClothCase& cloth, const Case& whole) {
+  if (!patch.packed.empty()) return packed_places(patch);
   const auto r = node_lines(patch, cloth, whole, 0), s = node_lines(patch, cloth, whole, 1);
   std::vector<Vec<3>> where;
   for (const double y : s)

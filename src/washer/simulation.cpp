@@ -16,9 +16,8 @@
 namespace washtub {
 namespace {
 
-constexpr double growth = 1.1;       // of the time step from one step to the next
-constexpr double slip_limit = 0.05;  // of the largest speed, above which the step is cut
-constexpr int slip_look = 8;         // steps from one look at the slip to the next
+constexpr double growth = 1.1;  // of the time step from one step to the next
+constexpr int slip_look = 8;    // steps from one look at the slip to the next
 
 }  // namespace
 
@@ -95,7 +94,7 @@ void Simulation<D>::state(Archive& archive) {
   archive.value("kinetic energy", last_.kinetic);
   archive.value("courant rate", courant_rate_);
   archive.value("driving speed", driving_speed_);
-  archive.value("slip factor", slip_factor_);
+  archive.value("slip cut", slip_cut_);
   archive.value("caution", caution_);
   archive.value("wanted step", wanted_step_);
   archive.same_length("impulses", impulses_);
@@ -168,7 +167,7 @@ double Simulation<D>::choose_step(double latest) {
     if (bound < dt) dt = bound, last_.limit = limit;
   };
   if (courant_rate_ > 0) take(time.cfl / courant_rate_, StepLimit::courant);
-  if (slip_factor_ < 1) take(slip_factor_ * dt, StepLimit::slip);
+  if (slip_cut_.factor() < 1) take(slip_cut_.factor() * dt, StepLimit::slip);
   if (caution_ < 1) take(caution_ * dt, StepLimit::caution);
   take(wanted_step_ > 0 ? growth * wanted_step_ : start_step(), StepLimit::growth);
   wanted_step_ = dt;
@@ -236,10 +235,7 @@ const typename Simulation<D>::Step& Simulation<D>::step(double latest) {
   clock_.enter(Phase::loads);
   record_impulses(dt);
   clock_.enter(Phase::rest);
-  if (last_.cloth.looked)
-    slip_factor_ = last_.cloth.slip > slip_limit * last_.speed
-                       ? std::max(0.1, 0.7 * slip_factor_)
-                       : std::min(1.0, std::pow(1.02, slip_look) * slip_factor_);
+  if (last_.cloth.looked) slip_cut_.look(last_.speed > 0 ? last_.cloth.slip / last_.speed : 0);
   caution_ = std::min(1.0, 1.02 * caution_);
   watch();
   return last_;

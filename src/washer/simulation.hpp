@@ -6,6 +6,7 @@
 #include "case/case.hpp"
 #include "coupling/coupling.hpp"
 #include "solid/surface_water.hpp"
+#include "washer/slip_cut.hpp"
 
 namespace washtub {
 
@@ -103,7 +104,8 @@ class Simulation {
   std::optional<Coupling<D>> coupling_;
   Step last_;
   double courant_rate_ = 0;  ///< largest sum over axes of |u| / h [1/s]
-  double slip_factor_ = 1, caution_ = 1;
+  SlipCut slip_cut_;
+  double caution_ = 1;
   double driving_speed_ = 0;
   double wanted_step_ = 0;               ///< before it was cut to meet the sample [s]
   std::vector<Impulse> impulses_;        ///< on all ranks

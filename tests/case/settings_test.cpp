@@ -101,8 +101,8 @@ TEST(KindSettings, TakeOutKeysOfAnotherArrangement) {
                            "clearance = \"1 mm\"\n";
   const std::string sheet = "cloth.arrangement=sheet";
   EXPECT_THAT(error_of(text, {sheet}),
-              HasSubstr("cloth.clearance = \"1 mm\": only for \"book\" and \"random\"; --set "
-                        "cloth.clearance= takes it out"));
+              HasSubstr("cloth.clearance = \"1 mm\": only for \"book\", \"random\" and "
+                        "\"layers\"; --set cloth.clearance= takes it out"));
   EXPECT_EQ(read_text(text, {sheet, "cloth.clearance="}).cloth[0].arrangement, Arrangement::sheet);
   EXPECT_EQ(error_of(text, {"cloth.tilt="}),
             "--set cloth.tilt=: the case file does not give it, so it cannot be taken out");
@@ -174,7 +174,9 @@ TEST(Title, SaysWhatSetChanged) {
 }
 
 TEST(Defaults, AreNotBlamed) {
-  EXPECT_THAT(error_when([] { read_case(wash, {"cloth.size=[\"20 cm\", \"15 cm\"]"}); }),
+  EXPECT_THAT(error_when([] {
+                read_case(wash, {"cloth.size=[\"20 cm\", \"15 cm\"]", "cloth.tilt=4 deg"});
+              }),
               HasSubstr("--set cloth.size = [\"20 cm\", \"15 cm\"]: the cloth reaches beyond the "
                         "tub's wall from its inner_radius at \"0.148 m\" (default) on, allowed: up "
                         "to \"0.162 m\" that way; try a smaller cloth.inner_radius"));

@@ -38,17 +38,17 @@ struct Sled {
 
   void step(const Vec<2>& pull) {
     mapping.update(time += dt);
-    const std::vector<Vec<2>> stiffness = {Vec<2>::Constant(k)};
+    const std::vector<Mat<2>> yield = {Mat<2>::Identity() / k};
     const Vec<2> free = x() + pull / k;
     std::vector<Vec<2>> next = {free}, push = {Vec<2>::Zero()};
     std::vector<char> pushed(1);
     hold.start();
     for (int round = 0; round < 8; ++round) {
       pushed[0] = 0;
-      HeldStep<2> held{dt, cloth.position, next, stiffness, push, pushed};
+      HeldStep<2> held{dt, cloth.position, next, yield, push, pushed};
       hold.hold(held);
       if (!pushed[0]) break;
-      Mat<2> K = stiffness[0].asDiagonal();
+      Mat<2> K = k * Mat<2>::Identity();
       Vec<2> to = k * free;
       hold.add(0, K, to);
       next[0] = K.inverse() * to;
@@ -76,10 +76,10 @@ TEST(SolidHold, CarriesWhatPressesOnIt) {
 /// What is drawn away by others in the course of a step is let go in that step.
 TEST(SolidHold, DoesNotPull) {
   Sled sled(0);
-  const std::vector<Vec<2>> stiffness = {Vec<2>::Constant(k)};
+  const std::vector<Mat<2>> yield = {Mat<2>::Identity() / k};
   std::vector<Vec<2>> next = {{0.5, 0}}, push = {Vec<2>::Zero()};
   std::vector<char> pushed(1);
-  HeldStep<2> held{dt, sled.cloth.position, next, stiffness, push, pushed};
+  HeldStep<2> held{dt, sled.cloth.position, next, yield, push, pushed};
   sled.hold.start();
   sled.hold.hold(held);
   EXPECT_EQ(sled.hold.count(), 1);
