@@ -92,13 +92,14 @@ TEST(Packet, CrumplesWithoutMuchStretching) {
 /// Whether folded along one edge or both, no part starts nearer to another than the gap; and every
 /// node of every piece is in the tub.
 TEST(Packet, StartsInTheTubApartFromAll) {
-  for (const auto& settings :
-       {std::vector<std::string>{},
-        {"cloth[2].arrangement=random", "cloth[2].folded=[2, 2]", "cloth[1].count=0"},
-        {"cloth[2].arrangement=random", "cloth[2].crumpled=0.3", "cloth[1].count=0"}}) {
+  for (const auto& settings : {std::vector<std::string>{},
+                               {"cloth[2].arrangement=random", "cloth[2].folded=[2, 2]",
+                                "cloth[1].count=0", "cloth[2].count=2"},
+                               {"cloth[2].arrangement=random", "cloth[2].crumpled=0.3",
+                                "cloth[1].count=0", "cloth[2].count=2"}}) {
     const Case whole = load(settings);
     const auto cloth = build_cloth<3>(whole);  // refuses what is tangled
-    ASSERT_GE(cloth.pieces(), 5);
+    ASSERT_GE(cloth.pieces(), 2);
     for (const auto& x : cloth.position) {
       EXPECT_LT(x.head<2>().norm(), 0.31);
       EXPECT_GT(x[2], 0);
