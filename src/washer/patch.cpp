@@ -41,18 +41,23 @@ Vec<3> Patch::at(double r, double s) const {
 Facets facets(const Patch& patch, std::array<double, 2> r, std::array<double, 2> s) {
   const double length = r[1] - r[0], bend = sharpest(patch);
   const int n = std::clamp(static_cast<int>(std::ceil(bend * length / turn)), 1, 4096);
+  // A flat packet is a pile of sheets, whose slack reaches less far aside than that of one.
+  const int sheets = patch.thickness > 0 && bend == 0 ? 4 : 1;
   Facets all;
   Vec<3> least = Vec<3>::Constant(1e300), most = -least;
   for (int i = 0; i < n; ++i) {
     const Vec<3> a = patch.at(r[0] + length * i / n, s[0]);
     const Vec<3> b = patch.at(r[0] + length * (i + 1) / n, s[0]);
-    all.flat.push_back({a, {b - a, (s[1] - s[0]) * patch.along[1]}});
-    for (const Vec<3>& x : all.flat.back().corners()) {
-      least = least.cwiseMin(x);
-      most = most.cwiseMax(x);
+    for (int k = 0; k < sheets; ++k) {
+      const double up = patch.thickness * ((k + 0.5) / sheets - 0.5);
+      all.flat.push_back({a + up * patch.normal, {b - a, (s[1] - s[0]) * patch.along[1]}});
+      for (const Vec<3>& x : all.flat.back().corners()) {
+        least = least.cwiseMin(x);
+        most = most.cwiseMax(x);
+      }
     }
   }
-  all.slack = bend * length * length / (8.0 * n * n) + 0.5 * patch.thickness;
+  all.slack = bend * length * length / (8.0 * n * n) + 0.5 * patch.thickness / sheets;
   all.centre = 0.5 * (least + most);
   all.reach = 0.5 * (most - least).norm();
   return all;

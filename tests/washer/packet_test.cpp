@@ -92,11 +92,12 @@ TEST(Packet, CrumplesWithoutMuchStretching) {
 /// Whether folded along one edge or both, no part starts nearer to another than the gap; and every
 /// node of every piece is in the tub.
 TEST(Packet, StartsInTheTubApartFromAll) {
-  for (const auto& settings : {std::vector<std::string>{},
-                               {"cloth[2].arrangement=random", "cloth[2].folded=[2, 2]",
-                                "cloth[1].count=0", "cloth[2].count=2"},
-                               {"cloth[2].arrangement=random", "cloth[2].crumpled=0.3",
-                                "cloth[1].count=0", "cloth[2].count=2"}}) {
+  for (const auto& settings :
+       {std::vector<std::string>{},
+        {"cloth[2].arrangement=random", "cloth[2].folded=[2, 2]", "cloth[1].count=0",
+         "cloth[2].count=2", "cloth[2].size=[\"28 cm\", \"28 cm\"]"},
+        {"cloth[2].arrangement=random", "cloth[2].crumpled=0.2", "cloth[1].count=0",
+         "cloth[2].count=2", "cloth[2].nodes=[9, 9]", "cloth[2].size=[\"18 cm\", \"18 cm\"]"}}) {
     const Case whole = load(settings);
     const auto cloth = build_cloth<3>(whole);  // refuses what is tangled
     ASSERT_GE(cloth.pieces(), 2);
