@@ -33,6 +33,13 @@ void check_magnitudes(const Case& whole, const Node& root) {
 
 void check_names(const CaseFile& file, const Node& root) {
   std::set<std::string> seen;
+  std::set<std::string> groups;
+  for (const SolidCase& solid : file.result.solids) groups.insert(solid.name);
+  const auto& cloth = file.result.cloth;
+  for (size_t i = 0; i < cloth.size(); ++i)
+    if (!groups.insert(cloth[i].name).second)
+      throw error_at_key(root, cloth_key(i, cloth.size(), "name"), cloth[i].name,
+                         "a solid or another group of cloth has this name");
   for (const SolidSpec& solid : file.solids)
     if (!seen.insert(solid.name).second)
       throw InputError(fmt::format("{}: solid.name = \"{}\": two solids have this name", root.where,

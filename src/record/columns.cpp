@@ -43,6 +43,10 @@ bool has_rings(const Case& whole) {
 
 void add_cloth(Columns& columns, const Case& whole) {
   columns.add(columns::cloth, itself);
+  const auto groups = groups_apart(whole);
+  for (std::size_t i = 0; i < groups.size(); ++i)
+    columns.add(
+        columns::group, [i](const Sample& s) { return s.groups[i]; }, groups[i].name);
   for (std::size_t i = 0; i < whole.probes.size(); ++i)
     columns.add(
         columns::probe, [i](const Sample& s) { return s.probes[i]; }, whole.probes[i].name);
@@ -50,6 +54,13 @@ void add_cloth(Columns& columns, const Case& whole) {
 }
 
 }  // namespace
+
+std::vector<ClothCase> groups_apart(const Case& whole) {
+  std::vector<ClothCase> groups;
+  for (const ClothCase& cloth : whole.cloth)
+    if (cloth.count > 0) groups.push_back(cloth);
+  return groups.size() > 1 ? groups : std::vector<ClothCase>{};
+}
 
 std::vector<RecordColumn> history_columns(const Case& whole) {
   Columns columns(whole.dimension);
@@ -115,6 +126,7 @@ std::optional<KnownColumn> known_column(const std::string& name) {
   std::optional<KnownColumn> best;
   find_owned(columns::solid, name, best);
   find_owned(columns::probe, name, best);
+  find_owned(columns::group, name, best);
   return best;
 }
 

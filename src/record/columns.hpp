@@ -25,7 +25,7 @@ namespace columns {
 extern const std::vector<DeclaredColumn<Sample>> run, energy, error, cloth, rings;
 extern const std::vector<DeclaredColumn<SolidSample>> solid;
 extern const std::vector<DeclaredColumn<Vec<3>>> probe;
-extern const std::vector<DeclaredColumn<PieceSample>> piece;
+extern const std::vector<DeclaredColumn<PieceSample>> group, piece;
 }  // namespace columns
 
 /// A column of one run.
@@ -54,6 +54,9 @@ struct KnownColumn {
 
 /// None for a column of another version.
 std::optional<KnownColumn> known_column(const std::string& name);
+
+/// The groups of cloth that have pieces; where there is only one, its columns are the run's.
+std::vector<ClothCase> groups_apart(const Case& whole);
 
 /// All pieces of cloth of a case.
 int piece_count(const Case& whole);

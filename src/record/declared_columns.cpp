@@ -14,6 +14,12 @@ constexpr Plot stress_plot(const char* curve, const char* statistic) {
           .statistic = statistic};
 }
 
+constexpr Plot group_plot(const char* curve, const char* statistic) {
+  Plot plot = stress_plot(curve, statistic);
+  plot.title = "Stress of";
+  return plot;
+}
+
 constexpr Plot torque_plot(const char* curve) {
   return {.fold = "Torque and energy",
           .title = "Torque on",
@@ -240,6 +246,41 @@ const std::vector<DeclaredColumn<Sample>> rings = {
     {{"enclosed area", {"m^2"}, "within a ring, mean over the rings"},
      [](const Sample& s) { return s.enclosed_area; },
      {.fold = "Cloth", .title = "Enclosed area", .axis = "area", .curve = "area"}},
+};
+
+const std::vector<DeclaredColumn<PieceSample>> group = {
+    {{names::stress, pascal, "mean over the pieces of the group"},
+     [](const PieceSample& p) { return p.stress.total; },
+     group_plot("total", names::stress)},
+    {{names::membrane_stress, pascal, "its part of stretching and shear"},
+     [](const PieceSample& p) { return p.stress.membrane; },
+     group_plot("membrane", names::membrane_stress)},
+    {{names::bending_stress, pascal, "its part of bending and twisting"},
+     [](const PieceSample& p) { return p.stress.bending; },
+     group_plot("bending", names::bending_stress)},
+    {{names::tension, pascal, "the membrane stress along edges that are stretched"},
+     [](const PieceSample& p) { return p.tension; },
+     group_plot("tension", names::tension)},
+    {{names::compression, pascal, "the same of edges that are compressed"},
+     [](const PieceSample& p) { return p.compression; },
+     group_plot("compression", names::compression)},
+    {{names::raw_stress, pascal, "the stress with the strains of the instant"},
+     [](const PieceSample& p) { return p.raw_stress; },
+     group_plot("raw", names::raw_stress)},
+    {{names::radius, metre, "distance of the pieces' centres from the axis, their mean"},
+     [](const PieceSample& p) { return p.centre[0]; },
+     {.fold = "Cloth",
+      .title = "Radius of",
+      .axis = "radius",
+      .curve = "radius",
+      .statistic = names::radius}},
+    {{names::height, metre, "of the pieces' centres, their mean", When::space},
+     [](const PieceSample& p) { return p.centre[1]; },
+     {.fold = "Cloth",
+      .title = "Height of",
+      .axis = "height",
+      .curve = "height",
+      .statistic = names::height}},
 };
 
 const std::vector<DeclaredColumn<PieceSample>> piece = {

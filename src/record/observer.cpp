@@ -113,6 +113,25 @@ PieceSample Observer<D>::observe_piece(const ClothGroup<D>& g, int p) {
   return sample;
 }
 
+namespace {
+
+PieceSample mean_of(std::span<const PieceSample> all) {
+  PieceSample mean{Vec<2>::Zero(), {}};
+  const double pieces = static_cast<double>(all.size());
+  for (const PieceSample& p : all) {
+    mean.centre += p.centre / pieces;
+    mean.stress.membrane += p.stress.membrane / pieces;
+    mean.stress.bending += p.stress.bending / pieces;
+    mean.stress.total += p.stress.total / pieces;
+    mean.raw_stress += p.raw_stress / pieces;
+    mean.tension += p.tension / pieces;
+    mean.compression += p.compression / pieces;
+  }
+  return mean;
+}
+
+}  // namespace
+
 template <int D>
 void Observer<D>::observe_cloth(Sample& sample, const Interval& since) {
   double area = 0;
@@ -123,17 +142,15 @@ void Observer<D>::observe_cloth(Sample& sample, const Interval& since) {
       sample.centre += piece_area * sample.pieces.back().centre;
       area += piece_area;
     }
+    sample.groups.push_back(
+        mean_of(std::span(sample.pieces).last(static_cast<std::size_t>(g.pieces))));
   }
   if (area > 0) sample.centre /= area;
-  const double pieces = static_cast<double>(sample.pieces.size());
-  for (const PieceSample& p : sample.pieces) {
-    sample.stress.membrane += p.stress.membrane / pieces;
-    sample.stress.bending += p.stress.bending / pieces;
-    sample.stress.total += p.stress.total / pieces;
-    sample.raw_stress += p.raw_stress / pieces;
-    sample.tension += p.tension / pieces;
-    sample.compression += p.compression / pieces;
-  }
+  const PieceSample mean = mean_of(sample.pieces);
+  sample.stress = mean.stress;
+  sample.raw_stress = mean.raw_stress;
+  sample.tension = mean.tension;
+  sample.compression = mean.compression;
   collect(sample.pieces, since);
 }
 

@@ -191,6 +191,11 @@ std::vector<RunQuantity> cloth_quantities(const Case& whole, const CsvTable& his
   return find(quantities_of::cloth, {WindowedHistory(whole, history)}, whole, false);
 }
 
+std::vector<RunQuantity> group_quantities(const Case& whole, const ClothCase& group,
+                                          const CsvTable& history) {
+  return find(quantities_of::cloth, {WindowedHistory(whole, history, group.name)}, whole, false);
+}
+
 std::vector<RunQuantity> solid_quantities(const Case& whole, const SolidCase& solid,
                                           const CsvTable& history) {
   const bool moving = solid.drive.moving();

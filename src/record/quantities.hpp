@@ -77,6 +77,9 @@ struct RunQuantity {
 /// cycle of the drive, without one an eighth of the window. Quantities without a value are left
 /// out.
 std::vector<RunQuantity> cloth_quantities(const Case& whole, const CsvTable& history);
+/// The same of one of several groups of cloth.
+std::vector<RunQuantity> group_quantities(const Case& whole, const ClothCase& group,
+                                          const CsvTable& history);
 /// Rms torque of a solid and its parts; of one that turns mean power, and energy per cycle where it
 /// turns in cycles.
 std::vector<RunQuantity> solid_quantities(const Case& whole, const SolidCase& solid,

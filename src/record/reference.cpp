@@ -70,6 +70,8 @@ void add_history(Page& page) {
   page.table("Of each solid, after its name:", columns::solid, "SOLID ");
   page.table("With `[exact]`; pure numbers where it is relative:", columns::error);
   page.table("With cloth:", columns::cloth);
+  page.table("Of each group of cloth, after its name, where there are several:", columns::group,
+             "GROUP ");
   page.table("Of each probe, after its name:", columns::probe, "PROBE ");
   page.table("With rings:", columns::rings);
 }

@@ -55,6 +55,7 @@ struct Sample {
   StepSample step;
   std::vector<SolidSample> solids;
   std::vector<PieceSample> pieces;
+  std::vector<PieceSample> groups;                      ///< means over the pieces of each
   StressParts stress;                                   ///< mean over the pieces [Pa]
   double tension = 0, compression = 0, raw_stress = 0;  ///< likewise
   Vec<2> centre = Vec<2>::Zero();                       ///< (r, z) of all pieces [m]

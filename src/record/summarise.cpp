@@ -27,10 +27,10 @@ Json table(const std::vector<DeclaredEntry<Source>>& declared, const Source& sou
   return json;
 }
 
-/// Its statistics: with their scale, and those of cycles one by one.
-Json solid_table(const Case& whole, const SolidCase& solid, const CsvTable& history) {
-  Json json = {{"name", solid.name}};
-  for (const RunQuantity& q : solid_quantities(whole, solid, history)) {
+/// Statistics of what has a name: with their scale, and those of cycles one by one.
+Json named_table(const std::string& name, const std::vector<RunQuantity>& quantities) {
+  Json json = {{"name", name}};
+  for (const RunQuantity& q : quantities) {
     const std::string unit = q.unit.empty() ? "" : " [" + q.unit + "]";
     if (q.name == names::energy) {
       json[q.name + unit] = q.batches;
@@ -45,6 +45,23 @@ Json solid_table(const Case& whole, const SolidCase& solid, const CsvTable& hist
   return json;
 }
 
+/// Of each of several groups, its mean stress with the half width of that.
+Json group_tables(const Case& whole, const CsvTable& history) {
+  Json groups = Json::array();
+  for (const ClothCase& group : groups_apart(whole)) {
+    const auto quantities = group_quantities(whole, group, history);
+    Json json = named_table(group.name, quantities);
+    json["pieces"] = group.count;
+    for (const RunQuantity& q : quantities)
+      if (q.name == names::stress) {
+        const auto half_width = q.half_width();
+        json[q.name + ", 95 % half width [Pa]"] = half_width ? Json(*half_width) : Json();
+      }
+    groups.push_back(std::move(json));
+  }
+  return groups;
+}
+
 Json cloth_table(const Case& whole, const ClothStatistics& statistics, const CsvTable& history,
                  const CsvTable* tracks) {
   const ClothStatistics::Part all = statistics.all();
@@ -57,6 +74,7 @@ Json cloth_table(const Case& whole, const ClothStatistics& statistics, const Csv
   json[names::stress] = stress(all.stress.total());
   json[names::membrane_stress] = stress(all.stress.membrane());
   json[names::bending_stress] = stress(all.stress.bending());
+  if (const Json groups = group_tables(whole, history); !groups.empty()) json["groups"] = groups;
   if (whole.dimension == 3 && tracks)
     json["loop"] = table(entries::loop, LoopSource(whole, *tracks), whole.dimension);
   return json;
@@ -116,7 +134,7 @@ Json summarise(const Case& whole, const RunEnd& end, const ClothStatistics& clot
     json["scales"] = table(entries::scales, *scale, whole.dimension);
   json["solids"] = Json::array();
   for (const SolidCase& solid : whole.solids)
-    json["solids"].push_back(solid_table(whole, solid, history));
+    json["solids"].push_back(named_table(solid.name, solid_quantities(whole, solid, history)));
   if (!whole.cloth.empty()) json[names::cloth] = cloth_table(whole, cloth, history, tracks);
   return json;
 }

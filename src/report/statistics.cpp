@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "record/columns.hpp"
 #include "record/names.hpp"
 
 namespace washtub {
@@ -44,6 +45,8 @@ std::vector<RunQuantity> find_quantities(const RunRecord& run) {
   if (run.definition && run.history && run.history->rows() > 1) {
     const Case& whole = *run.definition;
     if (!whole.cloth.empty()) add(found, cloth_quantities(whole, *run.history));
+    for (const ClothCase& group : groups_apart(whole))
+      add(found, group_quantities(whole, group, *run.history), group.name);
     for (const SolidCase& solid : whole.solids)
       add(found, solid_quantities(whole, solid, *run.history), solid.name);
   }

@@ -64,6 +64,22 @@ TEST(Fabrics, ServeThreadsToo) {
   EXPECT_EQ(whole.cloth[0].material.shear, 0);
 }
 
+TEST(Groups, HaveNamesOfTheirOwn) {
+  const auto two = [](const std::string& first) {
+    return text("fabric = \"denim\"\n" + first,
+                "[[cloth]]\nsize = [\"10 cm\", \"10 cm\"]\nfabric = \"trousers\"\n");
+  };
+  const Case whole = read_case_text(two(""), "it");
+  EXPECT_EQ(whole.cloth[0].name, "cloth 1");
+  EXPECT_EQ(whole.cloth[1].name, "cloth 2");
+  for (const char* taken : {"cloth 2", "agitator"}) try {
+      read_case_text(two("name = \"" + std::string(taken) + "\"\n"), "it");
+      FAIL() << taken;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("a solid or another group of cloth has this name"));
+    }
+}
+
 TEST(Fabrics, AreNamedWhereOneDoesNotExist) {
   EXPECT_THAT(error_of("fabric = \"cotton sheets\"\n"),
               AllOf(HasSubstr("it:10: cloth.fabric"), HasSubstr("nearest: \"cotton sheet\"")));

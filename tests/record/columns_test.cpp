@@ -21,6 +21,8 @@ Case everything(int dimension) {
                   {"fin", sphere({0, 0, 0}, 1), Vec<3>::Zero(), constant_speed(2)}};
   whole.cloth.resize(2);
   whole.cloth[0].count = 2;
+  whole.cloth[0].name = "towels";
+  whole.cloth[1].name = "shirts";
   whole.cloth[1].arrangement = Arrangement::ring;
   whole.probes = {{"tip", 1, {0, 0}}};
   whole.exact = ExactCase();
@@ -37,6 +39,8 @@ Sample sample() {
   s.solids[0].force = {1, 2, 3};
   s.pieces.resize(3);
   for (int p = 0; p < 3; ++p) s.pieces[static_cast<std::size_t>(p)].centre = {p + 1, -(p + 1)};
+  s.groups.resize(2);
+  s.groups[1].stress.total = 11;
   s.probes = {{4, 5, 6}};
   s.enclosed_area = 8;
   s.error.rms = 9;
@@ -67,6 +71,7 @@ TEST(Columns, RowsStandUnderTheirHeadings) {
   EXPECT_EQ(value(columns, "fin rms torque [N m]"), 4);
   EXPECT_EQ(value(columns, "wall force z [N]"), 3);
   EXPECT_EQ(value(columns, "tip y [m]"), 5);
+  EXPECT_EQ(value(columns, "shirts stress [Pa]"), 11);
   EXPECT_EQ(value(columns, "enclosed area [m^2]"), 8);
   EXPECT_EQ(value(columns, "rms velocity error [m/s]"), 9);
   EXPECT_EQ(value(track_columns(everything(3)), "piece 3 z [m]"), -3);
@@ -79,6 +84,9 @@ TEST(Columns, AreThoseThatTheCaseHas) {
   for (const char* absent :
        {"wall power", "wall rms torque", "wall force z", "tip z", "cloth height"})
     EXPECT_THAT(names(plane), Not(Contains(absent)));
+  Case one = everything(3);  // of two groups: its columns are the run's
+  one.cloth[1].count = 0;
+  EXPECT_THAT(names(history_columns(one)), Not(Contains("towels stress")));
   Case water = everything(3);
   water.cloth.clear();
   water.exact->relative = true;
@@ -104,6 +112,7 @@ TEST(Columns, OneDeclarationIsSeenEverywhere) {
   expect(columns::cloth, "", "");
   expect(columns::probe, "tip ", "PROBE ");
   expect(columns::rings, "", "");
+  expect(columns::group, "towels ", "GROUP ");
   EXPECT_EQ(row(history, sample()).size(), header(history).size());
 }
 
