@@ -111,7 +111,9 @@ void warn_of_cloth(const RunRecord& run, Sentences& found) {
   if (slip.value_or(0) > slip_bound)
     found.push_back(fmt::format(
         "The cloth slips through the water at up to {:.3g} % of the largest speed{}; below {:.0f} "
-        "% is good. Shorter steps (time.step) lower it.",
+        "% is good. Shorter steps (time.step) lower it, or, where layers of cloth lie much nearer "
+        "to "
+        "each other than a cell, more domain.cells.",
         100 * *slip, usual ? fmt::format(", {:.2g} % on average", 100 * *usual) : "",
         100 * slip_bound));
   const auto strain = extreme(run, {names::coupling, names::strain}, names::strain);
