@@ -109,7 +109,7 @@ double first_moment(const WaterBox<2>& water) {
   for_face_cells(water.grid, [&](int d, long p, const Index<2>& cell) {
     if (d == 1) sum += water.flow.force()[1][p] * water.grid.mesh().position(cell, 1)[1];
   });
-  return sum * water.grid.mesh().h.prod();
+  return water.grid.parallel().sum(sum) * water.grid.mesh().cell_volume();
 }
 
 /// Sheets that are held apart hand what presses them to each other, not to the water.
