@@ -42,9 +42,10 @@ TEST_F(Program, RefusesImpossibleNumbers) {
 }
 
 TEST_F(Program, RefusesWhatDoesNotFit) {
-  refuses(run_with("cloth.size='[\"40 cm\", \"15 cm\"]'"),
+  refuses(run_with("cloth.size='[\"40 cm\", \"15 cm\"]' --set cloth.folded=1"),
           "--set cloth.size = [\"40 cm\", \"15 cm\"]: the cloth is larger than the tub, whose "
-          "radius and depth bound a page, allowed: below \"0.31 m\"");
+          "radius and depth bound a page, allowed: below \"0.31 m\"; or folded (cloth.folded) as "
+          "small as that");
   refuses(run_with("washer.agitator.fin_radius='32 cm'"),
           "--set washer.agitator.fin_radius = \"32 cm\": the agitator is wider than the tub, "
           "allowed: below 0.31 m (washer.radius)");
@@ -59,10 +60,10 @@ TEST_F(Program, RefusesWhatDoesNotFit) {
 TEST_F(Program, RefusesWrongCommandLines) {
   refuses("check nothing.toml", "nothing.toml: no such file");
   refuses("run " + wash() + " -n 0", "-n 0: allowed: 1 or more ranks");
-  refuses(
-      "wash",
-      "unknown command wash; there are run, check, modes, bench, verify, report, compare, movie, "
-      "reference");
+  refuses("wash",
+          "unknown command wash; there are run, check, modes, fabrics, bench, verify, report, "
+          "compare, movie, "
+          "reference");
 }
 
 TEST_F(Program, DoesNotWriteOverTheCaseFile) {
