@@ -18,9 +18,11 @@ int command_fabrics(const std::string& name) {
   }
   const auto found = std::find_if(fabrics().begin(), fabrics().end(),
                                   [&](const Fabric& fabric) { return fabric.name == name; });
-  if (found == fabrics().end())
-    throw InputError(fmt::format("no fabric \"{}\", nearest: \"{}\"; washtub fabrics lists them",
-                                 name, nearest_name(name, fabric_names())));
+  if (found == fabrics().end()) {
+    const std::string nearest = nearest_name(name, fabric_names());
+    throw InputError(fmt::format("no fabric \"{}\"{}; washtub fabrics lists them", name,
+                                 nearest.empty() ? "" : ", nearest: \"" + nearest + "\""));
+  }
   fmt::print("{}", fabric_text(*found));
   return 0;
 }

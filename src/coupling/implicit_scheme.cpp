@@ -62,9 +62,10 @@ void ImplicitScheme<D>::push() {
   for (std::size_t g = 0; g < mine_.size(); ++g) solve_group(g, mine_[g]);
   hold_off();
   for (std::size_t g = 0; g < mine_.size(); ++g) share_among_ranks(g, step_.cloth.elastic);
-  for (int i = 0; i < step_.cloth.nodes(); ++i)
-    for (int c = 0; heavy(static_cast<std::size_t>(i)) && c < D; ++c)
-      step_.inertia.find(i, c, step_.next, step_.dt());
+  for (int i = 0; i < step_.cloth.nodes(); ++i) {
+    if (!heavy(static_cast<std::size_t>(i))) continue;
+    for (int c = 0; c < D; ++c) step_.inertia.find(i, c, step_.next, step_.dt());
+  }
   step_.add_up_force();
   add_reactions();
 }

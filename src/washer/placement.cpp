@@ -96,7 +96,6 @@ class Placer {
     }
     Patch patch = centred_patch(centre, along_r, along_s, packet_.size, curvature);
     patch.thickness = packet_.thickness;
-    patch.packed = packet_.nodes;
     return patch;
   }
 
@@ -194,7 +193,10 @@ class Placer {
       Piece piece{candidate(), {}};
       piece.facets = facets(piece.patch);
       const std::string what = obstacle(piece.facets, piece.facets, cloth_.clearance);
-      if (what.empty()) return piece;
+      if (what.empty()) {
+        piece.patch.packed = packet_.nodes;
+        return piece;
+      }
       ++hits_[what];
     }
     return {};

@@ -24,7 +24,8 @@ namespace washtub {
 /// from every solid, every side of the box and every piece before them; where one finds no place,
 /// its group starts again with other draws. The draws come from std::mt19937_64(seed), uniform
 /// numbers from its upper 53 bits and normal ones from those by Box and Muller, so that a seed
-/// gives the same start everywhere and on every grid. Sheets and rings must not touch solids,
+/// gives the same start everywhere and on every grid, but for layers and packets, whose distances
+/// follow the cells. Sheets and rings must not touch solids,
 /// except with the nodes that are held, nor other pieces, nor leave the box but through periodic
 /// sides.
 ///
