@@ -55,6 +55,33 @@ TEST(Observer, ProbesOfASheetTakeBothNumbers) {
   EXPECT_LT((probes[1] - Vec<3>(0.7, 0.5, 0.5)).norm(), 1e-15);
 }
 
+/// The stress of all is the mean of the pieces', that of a group that of its own.
+TEST(Observer, StressIsTheMeanOverThePieces) {
+  Case whole = box();
+  whole.cloth = {thread(), thread()};
+  whole.cloth[0].origin = {0.3, 0.25, 0};
+  whole.cloth[1].origin = {0.3, 0.75, 0};
+  whole.cloth[0].curvature = 1;
+  whole.cloth[1].curvature = 2;
+  Simulation<2> simulation(whole, Parallel());
+  const Sample s = Observer<2>(simulation).observe();
+  ASSERT_EQ(s.pieces.size(), 2u);
+  ASSERT_EQ(s.groups.size(), 2u);
+  const auto of = [](const PieceSample& p) {
+    return std::array{p.stress.membrane, p.stress.bending, p.stress.total,
+                      p.raw_stress,      p.tension,        p.compression};
+  };
+  const auto one = of(s.pieces[0]), other = of(s.pieces[1]), group = of(s.groups[1]);
+  const std::array all = {s.stress.membrane, s.stress.bending, s.stress.total,
+                          s.raw_stress,      s.tension,        s.compression};
+  EXPECT_GT(other[2], 1.9 * one[2]);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    EXPECT_NEAR(all[k], 0.5 * (one[k] + other[k]), 1e-12 * other[2]);
+    EXPECT_NEAR(group[k], other[k], 1e-12 * other[2]);
+  }
+  EXPECT_NEAR(s.groups[1].centre[1], s.pieces[1].centre[1], 1e-15);
+}
+
 TEST(Observer, RingsEncloseTheirArea) {
   Case whole = box();
   for (const double x : {0.25, 0.75}) {
