@@ -111,6 +111,8 @@ Table<CaseFile> declare() {
                 [](CaseFile& file) { file.result.exact.emplace(); })
       .table("coupling", part<&Case::coupling>(), coupling_table())
       .table("contact", part<&Case::contact>(), contact_table())
+      .table("settle", part<&Case::settle>(), settle_table())
+      .then(complete_settle)
       .table("time", part<&Case::time>(), time_table())
       .table("solver", part<&Case::solver>(), solver_table())
       .table("output", part<&Case::output>(), output_table())

@@ -55,7 +55,7 @@ struct SolidCase {
   Drive drive = at_rest();
 };
 
-enum class Arrangement { book, random, layers, sheet, ring };
+enum class Arrangement { book, random, dropped, layers, sheet, ring };
 
 /// An edge of a sheet: where r or s is least or largest.
 enum class Edge { r_lower, r_upper, s_lower, s_upper };
@@ -70,6 +70,8 @@ struct ClothCase {
   double spacing = 1.7;                 ///< node spacing in lateral cells, where `nodes` is 0
   /// Of wet cloth in general, where nothing else is given.
   Material material = {.friction = 0.5, .solid_friction = 0.2, .loss_time = 1e-3};
+  /// Pulls at the cloth, over its area at rest: formulas of x, y, z, r, t [Pa].
+  std::array<std::string, 3> load = {"0", "0", "0"};
   double air_permeability = 0;  ///< of air at 100 Pa [m/s]; 0 = not known
   double areal_mass = 0;        ///< dry [kg/m^2]; 0 = not known
   double fibre_density = 1540;  ///< that of cotton [kg/m^3]
@@ -82,12 +84,13 @@ struct ClothCase {
   double bottom = 0;        ///< height of the lower edge [m]
   double shift = 0;         ///< standard deviation of the random shift [m]
   double tilt = 0;          ///< standard deviation of the random tilt [rad]
-  /// book, random, layers: as a packet of so many layers along r and s, or crumpled to a part of
-  /// its size
+  /// book, random, dropped, layers: as a packet of so many layers along r and s, or crumpled to a
+  /// part of its size
   std::array<int, 2> folded = {1, 1};
   double crumpled = 0;   ///< part of the extent that is lost
   double clearance = 0;  ///< smallest distance to solids, surface and other pieces [m]
-  double curvature = 0;  ///< random, sheet: at the start, along r; the rest state is flat [1/m]
+  double curvature =
+      0;  ///< random, dropped, sheet: at the start, along r; the rest state is flat [1/m]
   /// sheet: one piece (count is 1) spanned from `origin` along two directions
   Vec<3> origin = Vec<3>::Zero();  ///< [m]
   std::array<Vec<3>, 2> along = {Vec<3>::UnitX(), Vec<3>::UnitY()};
@@ -128,6 +131,13 @@ struct ContactCase {
   double pressure = -1;      ///< [Pa]; below 0 likewise
   double gap = 0;            ///< [m]; 0 likewise
   double solid_time = 6e-3;  ///< [s]
+  bool untangle = false;     ///< pieces that start too near to each other are moved apart
+};
+
+/// What moves the cloth before t = 0, while all solids rest.
+struct SettleCase {
+  double time = -1;                 ///< that takes at most [s]; below 0 while it is not known
+  Vec<3> gravity = Vec<3>::Zero();  ///< [m/s^2]; zero while it is not known
 };
 
 struct TimeCase {
@@ -176,6 +186,7 @@ struct Case {
   std::optional<ExactCase> exact;
   CouplingCase coupling;
   ContactCase contact;
+  SettleCase settle;
   TimeCase time;
   SolverCase solver;
   OutputCase output;

@@ -86,6 +86,7 @@ void check_case(const CaseFile& file, const Node& root) {
   check_cloth(file, root);
   check_probes(file.result, root);
   check_contact(file.result, root);
+  check_settle(file.result, root);
 }
 
 }  // namespace washtub

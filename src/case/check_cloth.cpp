@@ -77,13 +77,15 @@ void check_page(const CaseFile& file, const ClothCase& cloth, const Node& root, 
 void check_arrangement(const CaseFile& file, const ClothCase& cloth, const Node& root, size_t i) {
   const size_t total = file.result.cloth.size();
   if (cloth.arrangement == Arrangement::book && file.result.dimension == 2)
-    throw error_at_key(root, cloth_key(i, total, "arrangement"), "\"book\"",
-                       "pages need three dimensions, allowed in 2-D: \"random\", \"sheet\", "
-                       "\"ring\"");
+    throw error_at_key(
+        root, cloth_key(i, total, "arrangement"), "\"book\"",
+        "pages need three dimensions, allowed in 2-D: \"random\", \"dropped\", \"sheet\", "
+        "\"ring\"");
   if (cloth.arrangement == Arrangement::layers && file.result.dimension == 2)
-    throw error_at_key(root, cloth_key(i, total, "arrangement"), "\"layers\"",
-                       "layers need three dimensions, allowed in 2-D: \"random\", \"sheet\", "
-                       "\"ring\"");
+    throw error_at_key(
+        root, cloth_key(i, total, "arrangement"), "\"layers\"",
+        "layers need three dimensions, allowed in 2-D: \"random\", \"dropped\", \"sheet\", "
+        "\"ring\"");
   if (cloth.crumpled > 0 && cloth.folded != std::array{1, 1})
     throw error_at_key(root, cloth_key(i, total, "crumpled"), "",
                        "a piece starts folded or crumpled, not both");

@@ -9,12 +9,30 @@ namespace washtub {
 namespace {
 
 constexpr double air_viscosity = 1.8e-5;  // [Pa s]
+constexpr double usual_knee = 0.01;
 
 bool in_space(const ClothCase&, int dimension) { return dimension == 3; }
 
 template <double Material::*member>
 double& material(ClothCase& cloth) {
   return cloth.material.*member;
+}
+
+bool is_linear(const ClothCase& cloth, int) { return !std::isfinite(cloth.material.knee); }
+
+/// Beyond a strain cloth may be stiffer; from there its stiffness must be given.
+void check_knee(ClothCase& cloth, const Node& node, int) {
+  const Node* beyond = node.find("stiffness_beyond");
+  const Node* knee = node.find("knee");
+  if (!beyond && knee)
+    throw error_at(*knee,
+                   "expected stiffness_beyond along with it, by which cloth is stretched "
+                   "beyond that strain");
+  if (!beyond) return;
+  if (cloth.material.stretch_beyond < cloth.material.stretch)
+    throw error_at(*beyond, fmt::format("allowed: from stretch_stiffness, \"{:g} N/m\", on",
+                                        cloth.material.stretch));
+  if (!knee) cloth.material.knee = usual_knee;
 }
 
 /// What a laboratory measures, from which other keys follow.
@@ -35,6 +53,15 @@ void add_material(Table<ClothCase>& table) {
       .key("stretch_stiffness", material<&Material::stretch>,
            quantity(measure::stiffness, above(0)), "K_e of Eq. (14)")
       .required()
+      .key("stiffness_beyond", material<&Material::stretch_beyond>,
+           quantity(measure::stiffness, above(0)),
+           "the same of strains beyond `knee`: cloth is soft while its crimp is pulled out")
+      .fallback("as `stretch_stiffness`")
+      .omitted(is_linear)
+      .key("knee", material<&Material::knee>, number(between(1e-4, 1)),
+           "strain beyond which `stiffness_beyond` holds")
+      .fallback("0.01 where `stiffness_beyond` is given")
+      .omitted(is_linear)
       .key("shear_stiffness", material<&Material::shear>, quantity(measure::stiffness, at_least(0)),
            "K_s")
       .only("in 3-D", in_space)
@@ -87,17 +114,25 @@ Table<ClothCase> cloth_table() {
       .omitted([](const ClothCase& cloth, int) { return cloth.nodes[0] == 0; })
       .key("spacing", &ClothCase::spacing, number(between(0.5, 8)),
            "node spacing in lateral cells, where `nodes` is not given")
+      .key(
+          "load", &ClothCase::load, formulas(measure::pressure, true),
+          "force that pulls at the cloth, over its area at rest; x, y, z and r are where the cloth "
+          "is")
+      .omitted([](const ClothCase& cloth, int) { return cloth.load == ClothCase().load; })
       .key("arrangement", &ClothCase::arrangement,
            choice<Arrangement>({{"book", Arrangement::book},
                                 {"random", Arrangement::random},
+                                {"dropped", Arrangement::dropped},
                                 {"layers", Arrangement::layers},
                                 {"sheet", Arrangement::sheet},
                                 {"ring", Arrangement::ring}}),
-           "start: pages of a book about the axis, at random, round the axis layer within layer "
-           "(3-D), one sheet, or a closed ring (2-D)");
+           "start: pages of a book about the axis, at random, the same and then "
+           "sunk (see Settle), round the axis layer within layer (3-D), one sheet, or a closed "
+           "ring (2-D)");
   add_material(table);
   add_measured(table);
   add_start(table);
+  table.then(check_knee);
   table
       .table(
           "kes", [](ClothCase& cloth) -> KesReadings& { return *cloth.kes; }, kes_table())

@@ -63,6 +63,10 @@ Table<ContactCase> contact_table() {
       .omitted(unused)
       .key("solid_time", &ContactCase::solid_time, quantity(measure::time, at_least(0)),
            "time constant with which a node may near a solid; 0 s: it stops at half a cell")
+      .omitted(unused)
+      .key("untangle", &ContactCase::untangle, boolean(),
+           "pieces that start through each other or nearer than `gap` are moved apart first, as "
+           "they are; otherwise they are refused")
       .omitted(unused);
   return table;
 }

@@ -9,7 +9,6 @@ constexpr double gravity = 9.80665;
 constexpr double gf_per_cm = 1e-3 * gravity / 1e-2;                // [N/m]
 constexpr double bending_unit = 1e-3 * gravity * 1e-4 / 1e-2;      // gf cm^2/cm [N m]
 constexpr double shear_unit = gf_per_cm * 180 / 3.14159265358979;  // gf/(cm deg) [N/m]
-constexpr double working_tension = 20;                             // [N/m], of cloth in a wash
 
 using Values = std::vector<std::pair<std::string, Node>>;
 
@@ -17,11 +16,15 @@ void add(Values& values, const char* key, double value, const char* unit) {
   values.emplace_back(key, Node{fmt::format("{:.6g} {}", value, unit), "", ""});
 }
 
-/// Tangent at the tension of a wash of N = N_m (e/e_m)^(2/LT - 1), whose work up to N_m at
-/// e_m = EMT is LT N_m e_m/2.
-double tangent(const KesReadings& kes) {
-  const double most = 500 * gf_per_cm, longest = kes.EMT / 100, n = 2 / kes.LT - 1;
-  return n * most / longest * std::pow(working_tension / most, 1 - 1 / n);
+/// Two straight lines for N = N_m (e/e_m)^(2/LT - 1), whose work up to N_m at e_m = EMT is
+/// LT N_m e_m/2: its secants below and above a fifth of e_m; where it does not stiffen, one.
+void add_stretch(Values& values, const KesReadings& kes) {
+  const double most = 500 * gf_per_cm, longest = kes.EMT / 100;
+  if (kes.LT >= 1) return add(values, "stretch_stiffness", most / longest, "N/m");
+  const double knee = longest / 5, tension = most * std::pow(0.2, 2 / kes.LT - 1);
+  add(values, "stretch_stiffness", tension / knee, "N/m");
+  add(values, "stiffness_beyond", (most - tension) / (longest - knee), "N/m");
+  values.emplace_back("knee", Node{knee, "", ""});
 }
 
 void add_bending(Values& values, double bending, int dimension) {
@@ -32,7 +35,7 @@ void add_bending(Values& values, double bending, int dimension) {
 void add_kes(Values& values, const Node& node, int dimension) {
   KesReadings kes;
   kes_table().read(kes, node, dimension);
-  add(values, "stretch_stiffness", tangent(kes), "N/m");
+  add_stretch(values, kes);
   if (dimension == 3) add(values, "shear_stiffness", kes.G * shear_unit, "N/m");
   add_bending(values, kes.B * bending_unit, dimension);
 }
@@ -54,8 +57,8 @@ void add_fast(Values& values, const Node& node, int dimension) {
 Table<KesReadings> kes_table() {
   Table<KesReadings> table(
       "Readings of Kawabata's instruments (KES-F), means of warp and weft in their usual units, "
-      "from which bending, torsion, shear and stretch (the tangent at 20 N/m) follow where the "
-      "file does not give them.");
+      "from which bending, torsion, shear and stretch (two straight lines for the tensile curve, "
+      "which meet at a fifth of EMT) follow where the file does not give them.");
   table.key("B", &KesReadings::B, number(between(1e-3, 10)), "bending rigidity [gf cm^2/cm]")
       .required()
       .key("G", &KesReadings::G, number(between(1e-2, 20)), "shear stiffness [gf/(cm deg)]")

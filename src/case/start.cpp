@@ -13,7 +13,8 @@ bool is_rippled(const ClothCase& cloth, int dimension) {
 }
 bool is_placed(const ClothCase& cloth, int dimension) { return !is_rippled(cloth, dimension); }
 bool is_bent(const ClothCase& cloth, int dimension) {
-  return is_sheet(cloth, dimension) || cloth.arrangement == Arrangement::random;
+  return is_sheet(cloth, dimension) || cloth.arrangement == Arrangement::random ||
+         cloth.arrangement == Arrangement::dropped;
 }
 
 void add_book(Table<ClothCase>& table) {
@@ -37,17 +38,17 @@ void add_book(Table<ClothCase>& table) {
       .key("clearance", &ClothCase::clearance, quantity(measure::length, at_least(0)),
            "smallest distance to solids, surface and other pieces")
       .fallback("0.0129 of the tub radius")
-      .only("for \"book\", \"random\" and \"layers\"", is_placed);
+      .only("for \"book\", \"random\", \"dropped\" and \"layers\"", is_placed);
 }
 
 void add_packet(Table<ClothCase>& table) {
   table
       .key("folded", &ClothCase::folded, sheet_counts(between(1, 8)),
            "into so many layers along its edges: 2 in halves, 3 in thirds")
-      .only("for \"book\", \"random\" and \"layers\"", is_placed)
+      .only("for \"book\", \"random\", \"dropped\" and \"layers\"", is_placed)
       .key("crumpled", &ClothCase::crumpled, number(between(0, 0.6)),
            "part of its extent that a piece loses in random creases")
-      .only("for \"book\", \"random\" and \"layers\"", is_placed);
+      .only("for \"book\", \"random\", \"dropped\" and \"layers\"", is_placed);
 }
 
 /// Pointer to a direction of a sheet.
@@ -100,7 +101,7 @@ void add_bend(Table<ClothCase>& table) {
       .key("curvature", &ClothCase::curvature, quantity(measure::curvature),
            "at the start, along the first edge; towards the left of it, or to where the sheet's "
            "normal points. At rest cloth is flat")
-      .only("for \"random\" and \"sheet\"", is_bent)
+      .only("for \"random\", \"dropped\" and \"sheet\"", is_bent)
       .key("ripple", &ClothCase::ripple, quantity(measure::length),
            "amplitude of waves at the start, normal to the cloth: sin(2 pi ripples r / length), in "
            "a ring cos, outwards")

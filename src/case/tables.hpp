@@ -32,6 +32,9 @@ Table<ProbeCase> probe_table();
 Table<ExactCase> exact_table();
 Table<CouplingCase> coupling_table();
 Table<ContactCase> contact_table();
+Table<SettleCase> settle_table();
+/// Whether cloth settles before the run, and how, where the file does not say.
+void complete_settle(CaseFile& file, const Node& root, int dimension);
 Table<TimeCase> time_table();
 Table<SolverCase> solver_table();
 Table<OutputCase> output_table();
@@ -46,6 +49,7 @@ void check_solids(const CaseFile& file, const Node& root);
 void check_cloth(const CaseFile& file, const Node& root);
 void check_probes(const Case& whole, const Node& root);
 void check_contact(const Case& whole, const Node& root);
+void check_settle(const Case& whole, const Node& root);
 
 /// Shortens the window of the statistics, and the interval of the rows, that a file gives to a run
 /// that --set has made shorter, and says so.

@@ -138,24 +138,28 @@ void add_block(const double* M, double sign, bool transposed, double* block) {
   }
 }
 
-/// M = factor u v^T.
+/// M = factor tangent u v^T.
 template <int D, int L>
-void outer(double factor, const double (&u)[D][L], const double (&v)[D][L], double* M) {
+void outer(double factor, const double* tangent, const double (&u)[D][L], const double (&v)[D][L],
+           double* M) {
   for (int r = 0; r < D; ++r) {
+    alignas(64) double row[L];
+#pragma omp simd
+    for (int l = 0; l < L; ++l) row[l] = factor * tangent[l] * u[r][l];
     for (int c = 0; c < D; ++c) {
 #pragma omp simd
-      for (int l = 0; l < L; ++l) M[(r * D + c) * L + l] = factor * u[r][l] * v[c][l];
+      for (int l = 0; l < L; ++l) M[(r * D + c) * L + l] = row[l] * v[c][l];
     }
   }
 }
 
-/// M += max(factor E, floor) I.
+/// M += max(factor stress, floor) I.
 template <int D, int L>
-void add_spring(double factor, const double* E, const double* floor, double* M) {
+void add_spring(double factor, const double* stress, const double* floor, double* M) {
   for (int r = 0; r < D; ++r) {
 #pragma omp simd
     for (int l = 0; l < L; ++l) {
-      const double spring = factor * E[l];
+      const double spring = factor * stress[l];
       M[(r * D + r) * L + l] += spring > floor[l] ? spring : floor[l];
     }
   }
@@ -170,13 +174,13 @@ void Assembly<D>::add(const Element<N, seam>& element, const double* X, const do
   const Strain<D, N, seam>& e = element.strain;
   const elastic::Legs<D, L, N> legs(e, X);
   alignas(64) double E[L], M[D * D * L];
-  legs.strain(e, loss, E);
-  const double stiffness = loss.gain * e.stiffness;
+  legs.strain(e, E);
+  const elastic::Response<L> response(e, loss, E);
   for (const Pair& pair : element.pairs) {
-    const double w = 4 * stiffness * e.weight[pair.first] * e.weight[pair.second];
-    elastic::outer<D, L>(w, legs.d[pair.first], legs.d[pair.second], M);
+    const double w = 4 * e.weight[pair.first] * e.weight[pair.second];
+    elastic::outer<D, L>(w, response.tangent, legs.d[pair.first], legs.d[pair.second], M);
     const bool same = pair.first == pair.second;
-    if (same) elastic::add_spring<D, L>(2 * e.weight[pair.first] * stiffness, E, floor, M);
+    if (same) elastic::add_spring<D, L>(2 * e.weight[pair.first], response.stress, floor, M);
     for (int k = 0; k < 4; ++k) {
       if (same && k == 2) continue;  // (b, a) is (a, b) again
       const Place& p = pair.place[k];

@@ -87,7 +87,8 @@ Crossings find_crossings(const Cloth<D>& cloth, const Mesh<D>& mesh) {
       bool& crosses = piece(face[0]) == piece(edge[0]) ? own : others;
       if (crosses || touch<D>(surface, edge, face)) return;
       crosses = passes(ends, corners<D>(face, x), shift);
-      if (crosses && found.others + found.own == 0) found.first = {piece(edge[0]), piece(face[0])};
+      const int a = piece(edge[0]), b = piece(face[0]);
+      if (crosses) found.pieces.insert({std::min(a, b), std::max(a, b)});
     });
     found.others += others;
     found.own += own;

@@ -1,4 +1,7 @@
 #pragma once
+#include <array>
+#include <set>
+
 #include "cloth/cloth.hpp"
 #include "grid/mesh.hpp"
 
@@ -7,9 +10,9 @@ namespace washtub {
 /// Edges of the cloth's mesh of nodes and how many of them pass through cloth.
 struct Crossings {
   long edges = 0;
-  long others = 0;             ///< pass through another piece
-  long own = 0;                ///< pass through their own piece
-  std::array<int, 2> first{};  ///< pieces of one crossing, if there is any, from 0
+  long others = 0;                        ///< pass through another piece
+  long own = 0;                           ///< pass through their own piece
+  std::set<std::array<int, 2>> pieces{};  ///< that cross, each pair once, the lower one first
 
   /// Of the edges, those that pass through another piece.
   double share() const {

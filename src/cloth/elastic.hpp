@@ -48,38 +48,64 @@ struct Legs {
       E[l] = sum;
     }
   }
-  /// The strain beyond that from which it counts.
-  template <bool seam>
-  void strain(const Strain<D, N, seam>& e, const Loss& loss, double* E) const {
-    strain(e, E);
-    if (!loss.past) return;
+};
+
+/// How the energy of a strain depends on it, at E of each lane.
+template <int L>
+struct Response {
+  alignas(64) double energy[L];   ///< [J]
+  alignas(64) double stress[L];   ///< dW/dE [J]
+  alignas(64) double tangent[L];  ///< d2W/dE2 [J]
+
+  template <int D, int N, bool seam>
+  Response(const Strain<D, N, seam>& e, const Loss& loss, const double* E) {
+    const double stiffness = loss.gain * e.stiffness;
 #pragma omp simd
-    for (int l = 0; l < L; ++l) E[l] -= loss.past[l];
+    for (int l = 0; l < L; ++l) {
+      const double strain = loss.past ? E[l] - loss.past[l] : E[l];
+      energy[l] = 0.5 * stiffness * strain * strain;
+      stress[l] = stiffness * strain;
+      tangent[l] = stiffness;
+    }
+    if constexpr (N == 1) stiffen(e.beyond, E);
+  }
+
+ private:
+  void stiffen(const Stiffening& beyond, const double* E) {
+    if (!(beyond.stiffness > 0)) return;
+#pragma omp simd
+    for (int l = 0; l < L; ++l) {
+      const double more = E[l] > beyond.knee ? E[l] - beyond.knee : 0;
+      energy[l] += 0.5 * beyond.stiffness * more * more;
+      stress[l] += beyond.stiffness * more;
+      tangent[l] += more > 0 ? beyond.stiffness : 0;
+    }
   }
 };
 
 template <int D, int L, int N, bool seam>
 void add_energy(const Strain<D, N, seam>& e, const double* X, const Loss& loss, double* W) {
   alignas(64) double E[L];
-  Legs<D, L, N>(e, X).strain(e, loss, E);
-  const double stiffness = loss.gain * e.stiffness;
+  Legs<D, L, N>(e, X).strain(e, E);
+  const Response<L> response(e, loss, E);
 #pragma omp simd
-  for (int l = 0; l < L; ++l) W[l] += 0.5 * stiffness * E[l] * E[l];
+  for (int l = 0; l < L; ++l) W[l] += response.energy[l];
 }
 
 template <int D, int L, int N, bool seam>
 void add_force(const Strain<D, N, seam>& e, const double* X, const Loss& loss, double* F) {
   alignas(64) double E[L];
   const Legs<D, L, N> legs(e, X);
-  legs.strain(e, loss, E);
+  legs.strain(e, E);
+  const Response<L> response(e, loss, E);
   for (int k = 0; k < N; ++k) {
     double* a = F + e.leg[k][0] * D * L;
     double* b = F + e.leg[k][1] * D * L;
-    const double factor = 2 * e.weight[k] * loss.gain * e.stiffness;
+    const double factor = 2 * e.weight[k];
     for (int c = 0; c < D; ++c) {
 #pragma omp simd
       for (int l = 0; l < L; ++l) {
-        const double pull = factor * E[l] * legs.d[k][c][l];
+        const double pull = factor * response.stress[l] * legs.d[k][c][l];
         a[c * L + l] += pull;
         b[c * L + l] -= pull;
       }

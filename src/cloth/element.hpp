@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <limits>
 #include <type_traits>
 #include <vector>
 
@@ -19,9 +20,20 @@ struct NoShift {};
 template <bool seam, class Shift>
 using IfSeam = std::conditional_t<seam, Shift, NoShift>;
 
+/// How much stiffer an edge is beyond a strain: W gains stiffness (E - knee)^2 / 2 there.
+struct Stiffening {
+  double knee = std::numeric_limits<double>::infinity();
+  double stiffness = 0;  ///< [J]; per unit depth in 2-D
+};
+
+/// What only single edges have.
+struct Linear {};
+template <int N, class Law>
+using IfEdge = std::conditional_t<N == 1, Law, Linear>;
+
 /// Energy of one membrane strain, E = offset + sum_k weight_k |X_{b_k} + shift_k - X_{a_k}|^2 over
-/// N legs (a_k, b_k): W = stiffness E^2 / 2. In that form the geometric part of the Hessian is a
-/// spring of stiffness 2 weight_k dW/dE along each leg.
+/// N legs (a_k, b_k): W = stiffness E^2 / 2, more in stiffened edges. In that form the geometric
+/// part of the Hessian is a spring of stiffness 2 weight_k dW/dE along each leg.
 template <int D, int N, bool seam>
 struct Strain {
   using Shift = std::array<std::array<double, D>, N>;
@@ -29,7 +41,8 @@ struct Strain {
   std::array<std::array<int, 2>, N> leg;
   std::array<double, N> weight;  ///< [1/m^2]
   double offset = 0;
-  double stiffness = 0;                               ///< [J]; per unit depth in 2-D
+  double stiffness = 0;  ///< [J]; per unit depth in 2-D
+  [[no_unique_address]] IfEdge<N, Stiffening> beyond{};
   [[no_unique_address]] IfSeam<seam, Shift> shift{};  ///< [m]
 };
 

@@ -3,7 +3,7 @@
 namespace washtub {
 
 template <int D>
-double energy(const Cloth<D>& cloth, const Vec<D>& gravity) {
+double energy(const Cloth<D>& cloth) {
   double sum = 0;
   for (const auto& g : cloth.groups)
     for (int p = 0; p < g.pieces; ++p) {
@@ -11,13 +11,13 @@ double energy(const Cloth<D>& cloth, const Vec<D>& gravity) {
       for (int n = 0; n < g.sheet.nodes(); ++n) {
         const auto i = static_cast<std::size_t>(g.node(p, n));
         const double mass = g.sheet.material.excess_mass * g.sheet.area[n];
-        sum += mass * (0.5 * cloth.velocity[i].squaredNorm() - gravity.dot(cloth.position[i]));
+        sum += 0.5 * mass * cloth.velocity[i].squaredNorm();
       }
     }
   return sum;
 }
 
-template double energy<2>(const Cloth<2>&, const Vec<2>&);
-template double energy<3>(const Cloth<3>&, const Vec<3>&);
+template double energy<2>(const Cloth<2>&);
+template double energy<3>(const Cloth<3>&);
 
 }  // namespace washtub

@@ -4,9 +4,8 @@
 namespace washtub {
 
 /// What the cloth holds of energy [J], per metre in 2-D: elastic, and of the mass beyond that of
-/// the displaced water the kinetic energy and that of its height under `gravity` [m/s^2], zero at
-/// the origin. The rest of its inertia is the water's.
+/// the displaced water the kinetic energy. The rest of its inertia is the water's.
 template <int D>
-double energy(const Cloth<D>& cloth, const Vec<D>& gravity);
+double energy(const Cloth<D>& cloth);
 
 }  // namespace washtub

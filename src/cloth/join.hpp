@@ -1,10 +1,17 @@
 #pragma once
+#include <cmath>
 #include <utility>
 #include <vector>
 
 #include "cloth/sheet.hpp"
 
 namespace washtub {
+
+/// That of an edge which stands for `area` [m^2] of cloth; in 2-D length [m].
+inline Stiffening stiffening(const Material& m, double area) {
+  if (!std::isfinite(m.knee)) return {};
+  return {m.knee, (m.stretch_beyond - m.stretch) * area};
+}
 
 /// The list of strains over N legs.
 template <int N, int D, bool seam>
@@ -21,8 +28,9 @@ auto& strains(Elements<D, seam>& elements) {
 /// the elements across a seam or to the others.
 template <int N, int D>
 void join_strain(Sheet<D>& sheet, const std::array<std::array<Image<D>, 2>, N>& ends,
-                 const std::array<double, N>& weight, double offset, double stiffness) {
-  Strain<D, N, true> e{{}, weight, offset, stiffness, {}};
+                 const std::array<double, N>& weight, double offset, double stiffness,
+                 const IfEdge<N, Stiffening>& beyond = {}) {
+  Strain<D, N, true> e{{}, weight, offset, stiffness, beyond, {}};
   bool across = false;
   for (int k = 0; k < N; ++k) {
     const auto& [a, b] = ends[k];
@@ -34,7 +42,7 @@ void join_strain(Sheet<D>& sheet, const std::array<std::array<Image<D>, 2>, N>& 
   if (across)
     strains<N>(sheet.seam).push_back(e);
   else
-    strains<N>(sheet.inner).push_back({e.leg, weight, offset, stiffness, {}});
+    strains<N>(sheet.inner).push_back({e.leg, weight, offset, stiffness, beyond, {}});
 }
 
 /// Adds W = stiffness |v|^2/2, where v is the sum of weight times node over the terms.

@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 
 namespace washtub {
 
@@ -18,7 +19,14 @@ struct Material {
   /// tau of Kelvin's and Voigt's law: membrane stress is K (E + tau dE/dt) [s]. Implicit solve
   /// only.
   double loss_time = 0;
-  double permeability = 0;  ///< lambda, velocity through the cloth by pressure [m/(s Pa)]
+  double permeability = 0;    ///< lambda, velocity through the cloth by pressure [m/(s Pa)]
+  double stretch_beyond = 0;  ///< K_e of strains beyond `knee` [N/m]
+  double knee = std::numeric_limits<double>::infinity();
+
+  /// The strain at which K_e alone would pull as hard as the cloth does at `e`.
+  double effective(double e) const {
+    return e > knee ? e + (stretch_beyond / stretch - 1) * (e - knee) : e;
+  }
 };
 
 }  // namespace washtub

@@ -30,10 +30,11 @@ void add_areas(Sheet<3>& sheet) {
 void add_edges(Sheet<3>& sheet) {
   const auto [nr, ns] = sheet.extent;
   const auto [dr, ds] = sheet.spacing;
-  const double stiffness = sheet.material.stretch * (1 - sheet.material.poisson) * dr * ds;
+  const double area = dr * ds, stiffness = sheet.material.stretch * (1 - sheet.material.poisson);
   const auto edge = [&](const Image<3>& a, const Image<3>& b, double length, bool whole) {
-    const double share = whole ? 1 : 0.5;
-    join_strain<1>(sheet, {{{a, b}}}, {0.5 / (length * length)}, -0.5, share * stiffness);
+    const double share = whole ? area : 0.5 * area;
+    join_strain<1>(sheet, {{{a, b}}}, {0.5 / (length * length)}, -0.5, share * stiffness,
+                   stiffening(sheet.material, share));
   };
   for (int j = 0; j < ns; ++j) {
     for (int i = 0; i < nr; ++i) {

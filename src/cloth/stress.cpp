@@ -49,7 +49,7 @@ int wrapped(const Sheet<D>& sheet, int axis, int i) {
   return sheet.closed[axis] ? (i + sheet.extent[axis]) % sheet.extent[axis] : i;
 }
 
-/// Mean strain of the edges at a node.
+/// Mean strain of the edges at a node, as Material::effective has it.
 struct EdgeMean {
   double size = 0;                      ///< of the magnitudes
   double tension = 0, compression = 0;  ///< of their positive and negative parts
@@ -69,7 +69,8 @@ class PlateNode {
   EdgeMean strain(int axis) const {
     const auto [first, last] = around(sheet_, axis, at_[axis]);
     EdgeMean mean;
-    for (int k = first; k < last; ++k) mean.add(edge(axis, k), last - first);
+    for (int k = first; k < last; ++k)
+      mean.add(sheet_.material.effective(edge(axis, k)), last - first);
     return mean;
   }
 
@@ -152,7 +153,7 @@ EdgeMean strain(const Sheet<2>& thread, const Strains& strains, int i) {
   const auto [first, last] = around(thread, 1, i);
   EdgeMean mean;
   for (int k = first; k < last; ++k)
-    mean.add(strains.along[1][wrapped(thread, 1, k)], last - first);
+    mean.add(thread.material.effective(strains.along[1][wrapped(thread, 1, k)]), last - first);
   return mean;
 }
 

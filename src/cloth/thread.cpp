@@ -22,7 +22,8 @@ Sheet<2> make_thread(int nodes, double ds, const Material& material, bool closed
     const Image<2> before = sheet.image(0, j - 1), x = sheet.image(0, j);
     const Image<2> after = sheet.image(0, j + 1);
     if (j < sheet.intervals(1))
-      join_strain<1>(sheet, {{{x, after}}}, {0.5 * w}, -0.5, material.stretch * ds);
+      join_strain<1>(sheet, {{{x, after}}}, {0.5 * w}, -0.5, material.stretch * ds,
+                     stiffening(material, ds));
     if (sheet.inside(1, j))
       join_bend(sheet, {{before, w}, {x, -2 * w}, {after, w}}, material.bending * ds);
   }

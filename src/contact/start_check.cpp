@@ -7,8 +7,8 @@ namespace washtub {
 
 template <int D>
 std::optional<TooNear> find_too_near(const Cloth<D>& cloth, const Mesh<D>& mesh, double gap) {
-  if (const Crossings found = find_crossings(cloth, mesh); found.others + found.own > 0)
-    return TooNear{found.first[0], found.first[1], 0};
+  if (const Crossings found = find_crossings(cloth, mesh); !found.pieces.empty())
+    return TooNear{(*found.pieces.begin())[0], (*found.pieces.begin())[1], 0};
   const ClothSurface<D> surface(cloth);
   std::vector<Vec<D>> x;
   if (!surface.place(cloth.position, x)) return std::nullopt;

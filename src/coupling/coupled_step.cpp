@@ -1,6 +1,7 @@
 #include "coupling/coupled_step.hpp"
 
 #include <algorithm>
+#include <string>
 
 namespace washtub {
 
@@ -31,8 +32,28 @@ void CoupledStep<D>::find_elastic(const Nodes& X) {
 
 template <int D>
 void CoupledStep<D>::find_given() {
+  work_before = work_of_given();
+  time_given = dt();
   std::fill(given.begin(), given.end(), Vec<D>::Zero());
   for (const auto& f : forces) f->add({cloth.position, cloth.velocity, dt()}, given);
+}
+
+template <int D>
+double CoupledStep<D>::work_of_given() const {
+  double power = 0;
+  for (std::size_t i = 0; i < given.size(); ++i) power += given[i].dot(cloth.velocity[i]);
+  return work_before + time_given * power;
+}
+
+template <int D>
+void CoupledStep<D>::state(Archive& archive) {
+  archive.same_length("force", force);
+  archive.same_length("mobility", mobility);
+  archive.same_length("given", given);
+  archive.value("time given", time_given);
+  archive.value("work before", work_before);
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    archive.value("force " + std::to_string(i), *forces[i]);
 }
 
 template <int D>

@@ -38,6 +38,9 @@ struct CoupledStep {
   void find_elastic(const Nodes& X);
   /// given = the forces of the list, as they are when the step begins (collective).
   void find_given();
+  /// Of the forces of the list since the start [J]; per metre in 2-D.
+  double work_of_given() const;
+  void state(Archive& archive);
   /// force = elastic force, given ones and inertia, as they were found last.
   void add_up_force();
   /// What a node gives way to a unit of force in this step, by moving the water and past it [m/N].
@@ -57,10 +60,12 @@ struct CoupledStep {
   /// the last step, then u^n+1 and what cloth moves past it by the force of this step, with 0 at
   /// pinned nodes.
   Nodes water;
-  Nodes mobility;  ///< D of the nodes [1/kg]
-  Nodes given;     ///< sum of the forces of the list [N]
-  Nodes force;     ///< G: total force of each node on the water [N]
-  Nodes next;      ///< X^n+1 [m]
+  Nodes mobility;          ///< D of the nodes [1/kg]
+  Nodes given;             ///< sum of the forces of the list [N]
+  double time_given = 0;   ///< how long they act: the step [s]
+  double work_before = 0;  ///< of such forces in the steps before [J]
+  Nodes force;             ///< G: total force of each node on the water [N]
+  Nodes next;              ///< X^n+1 [m]
   CouplingReport<D> report;
 };
 

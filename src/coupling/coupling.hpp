@@ -33,6 +33,9 @@ class Coupling {
 
   /// The force acts on the cloth from now on.
   void add(std::unique_ptr<NodalForce<D>> force) { step_.forces.push_back(std::move(force)); }
+  /// Of these forces, and of the repulsion of cloth by cloth, since the start [J]; per metre in
+  /// 2-D.
+  double work_of_forces() const { return step_.work_of_given(); }
 
   /// On return flow.force() is the force of the cloth on the water during this step.
   /// @throws RunError naming the piece whose solve failed
@@ -46,14 +49,11 @@ class Coupling {
   Report move(bool measure_slip = true);
 
   void state(Archive& archive) {
-    archive.same_length("force", step_.force);
-    archive.same_length("mobility", step_.mobility);
+    archive.value("step", step_);
     archive.same_length("place of mobility", place_of_mobility_);
     archive.value("age of mobility", age_of_mobility_);
     archive.value("barrier", barrier_);
     archive.value("scheme", *scheme_);
-    for (std::size_t i = 0; i < step_.forces.size(); ++i)
-      archive.value("force " + std::to_string(i), *step_.forces[i]);
     if (archive.reading()) stage_ = Stage::moved;  // a step that failed is forgotten
   }
 

@@ -6,7 +6,7 @@ namespace washtub {
 struct EnergyState {
   double time = 0;         ///< [s]
   double stored = 0;       ///< in water and cloth [J]
-  double work = 0;         ///< of drives and sides since the start [J]
+  double work = 0;         ///< of drives, sides and forces since the start [J]
   double dissipation = 0;  ///< rate at which viscosity turns energy into heat [W]
   static constexpr bool of_doubles = true;
 };

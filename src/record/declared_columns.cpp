@@ -104,7 +104,8 @@ const std::vector<DeclaredColumn<Sample>> energy = {
      [](const Sample& s) { return s.quality.dissipation; },
      {.fold = "Water", .title = "Dissipation", .axis = "power", .curve = "dissipation"}},
     {{"energy residual", watt,
-      "work of drives and sides less the water's heat and the gain of energy since the row before: "
+      "work of drives, sides and forces on cloth less the water's heat and the gain of energy "
+      "since the row before: "
       "what the scheme, and loss and friction of the cloth, take out of the motion"},
      [](const Sample& s) { return s.quality.residual; },
      numerics("Energy residual", "energy residual")},

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <numeric>
 
 #include "record/build_facts.hpp"
@@ -195,6 +196,8 @@ Json of_balance(const RunSource& s, double value) {
   return is_closed(s.whole) ? Json(value) : Json();
 }
 
+Json if_finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
 /// Null where there is no cloth.
 Json of_crossings(const RunSource& s, Json value) {
   return s.whole.cloth.empty() ? Json() : std::move(value);
@@ -215,9 +218,10 @@ const std::vector<DeclaredEntry<RunSource>> quality = {
     {{"driving speed", metre_per_second, "of the fastest surface, side or inflow"},
      [](const RunSource& s) -> Json { return s.end.quality.worst.driving_speed; }},
     {{"work", joule,
-      "of drives and moving sides on water and cloth, where no water passes the sides"},
+      "of drives and moving sides on water and cloth, and of weight, load and repulsion on cloth; "
+      "where no water passes the sides"},
      [](const RunSource& s) { return of_balance(s, s.end.quality.balance.work); }},
-    {{"gain of energy", joule, "kinetic of the water; elastic, kinetic and of height of the cloth"},
+    {{"gain of energy", joule, "kinetic of the water; elastic and kinetic of the cloth"},
      [](const RunSource& s) { return of_balance(s, s.end.quality.balance.gain); }},
     {{"heat", joule, "made by viscosity"},
      [](const RunSource& s) { return of_balance(s, s.end.quality.balance.heat); }},
@@ -235,6 +239,18 @@ const std::vector<DeclaredEntry<RunSource>> quality = {
      [](const RunSource& s) { return of_crossings(s, s.end.quality.crossings.share()); }},
     {{"most edges through their own piece", pure_number, "in a frame"},
      [](const RunSource& s) { return of_crossings(s, s.end.quality.most_own_crossings); }},
+    {{"smallest gap between pieces", metre,
+      "in a frame, where it is below 1.5 lateral cells; none if it never is"},
+     [](const RunSource& s) { return if_finite(s.end.quality.gap); }},
+    {{"smallest gap within a piece", metre,
+      "likewise, of two parts that are half as far again apart at rest"},
+     [](const RunSource& s) { return if_finite(s.end.quality.own_gap); }},
+    {{"still near a quarter of a cycle later", pure_number,
+      "of the pairs of nodes of different pieces less than 1.5 lateral cells apart, over all "
+      "frames that come a quarter of a cycle after another one"},
+     [](const RunSource& s) { return if_finite(s.end.quality.still_near[0]); }},
+    {{"still near a cycle later", pure_number, "likewise"},
+     [](const RunSource& s) { return if_finite(s.end.quality.still_near[1]); }},
 };
 
 const std::vector<DeclaredEntry<Scales>> scales = {

@@ -1,5 +1,5 @@
 #pragma once
-#include "case/velocity_field.hpp"
+#include "case/vector_field.hpp"
 #include "record/sample.hpp"
 #include "washer/simulation.hpp"
 
@@ -12,7 +12,7 @@ template <int D>
 class ExactSolution {
  public:
   explicit ExactSolution(const ExactCase& exact)
-      : field_(exact.velocity), relative_(exact.relative) {}
+      : field_(exact.velocity, "the velocity"), relative_(exact.relative) {}
 
   /// Errors of the velocity now: in m/s, or of the exact speed (collective).
   VelocityError compare(const Simulation<D>& simulation) const;
@@ -21,7 +21,7 @@ class ExactSolution {
   /// What the component d on the face at x counts; negative if not at all.
   double error(double u, int d, const Vec<D>& x, double t) const;
 
-  VelocityField<D> field_;
+  VectorField<D> field_;
   bool relative_;
 };
 

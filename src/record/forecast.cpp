@@ -179,7 +179,7 @@ class Beginning {
   void frames() {
     if (case_.output.frames <= 0) return;
     trial_.frame = time([&] {
-      observer_.self_watch().count_crossings();
+      observer_.self_watch().look_at_cloth();
       output_.add_frame();
     });
     if (parallel_.root()) trial_.frame_bytes = size_of(directory_.path() + "/frames");

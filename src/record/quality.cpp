@@ -55,6 +55,10 @@ void Quality::state(Archive& archive) {
   archive.value("crossings of its own", crossings.own);
   archive.value("most crossings", most_crossings);
   archive.value("most crossings of its own", most_own_crossings);
+  archive.value("gap", gap);
+  archive.value("own gap", own_gap);
+  archive.value("still near a quarter later", still_near[0]);
+  archive.value("still near a period later", still_near[1]);
 }
 
 }  // namespace washtub

@@ -1,9 +1,12 @@
 #pragma once
+#include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "base/archive.hpp"
 #include "cloth/crossings.hpp"
+#include "contact/neighbours.hpp"
 #include "measure/energy_balance.hpp"
 #include "washer/resolution.hpp"
 
@@ -11,11 +14,16 @@ namespace washtub {
 
 /// What a run has shown of its own quality.
 struct Quality {
-  Resolution worst;             ///< of all rows
-  EnergyBalance balance;        ///< over all rows; of closed boxes only
-  Crossings crossings;          ///< in the last frame
-  long most_crossings = 0;      ///< edges through another piece, most in a frame
-  long most_own_crossings = 0;  ///< edges through their own piece, likewise
+  Resolution worst;                   ///< of all rows
+  EnergyBalance balance;              ///< over all rows; of closed boxes only
+  Crossings crossings;                ///< in the last frame
+  long most_crossings = 0;            ///< edges through another piece, most in a frame
+  long most_own_crossings = 0;        ///< edges through their own piece, likewise
+  double gap = Neighbours::none;      ///< between pieces, the smallest in a frame [m]
+  double own_gap = Neighbours::none;  ///< between two parts of a piece, likewise [m]
+  /// Of the pairs of nodes of different pieces that are near, the share that is so again a quarter
+  /// and a whole period of the drive later; NaN where that is not known.
+  std::array<double, 2> still_near{std::nan(""), std::nan("")};
 
   /// One sentence or paragraph on each thing that is not as it should be.
   std::vector<std::string> warnings(const Case& whole) const;

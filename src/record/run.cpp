@@ -21,6 +21,7 @@
 #include "record/schedule.hpp"
 #include "record/stop.hpp"
 #include "record/summarise.hpp"
+#include "washer/settle.hpp"
 #include "washer/watch.hpp"
 
 namespace washtub {
@@ -63,7 +64,8 @@ class Run {
         options_(options),
         log_(open_log(options, parallel_.root())),
         developed_(open_state(options.developed)),
-        simulation_(whole, parallel_, developed_.get()),
+        settled_(settle_first()),
+        simulation_(whole, parallel_, developed_.get(), settled_.places),
         observer_(simulation_),
         output_(simulation_, observer_, options.directory),
         schedule_(whole),
@@ -84,6 +86,7 @@ class Run {
   }
 
   int run() {
+    if (settled_.stopped) return exit_stopped;
     try {
       begin();
       return advance();
@@ -107,6 +110,22 @@ class Run {
   }
 
  private:
+  /// Before a run that starts at t = 0 with its own cloth, if the case asks for it.
+  Settled<D> settle_first() {
+    if (!(case_.settle.time > 0) || developed_ || !options_.resumed.empty()) return {};
+    Progress progress(case_.settle.time, parallel_.root());
+    const auto settled = settle<D>(case_, parallel_, [&](const Simulation<D>& simulation) {
+      progress.show(simulation.time(), "settling  " + describe<D>(simulation.last()));
+      return parallel_.max(stop_requested()) == 0;
+    });
+    progress.finish();
+    tell(settled.stopped
+             ? "stopped while the cloth settled, before t = 0; there is nothing to go on from"
+             : fmt::format("the cloth has settled in {:.3g} s, to an rms speed of {:.2g} m/s",
+                           settled.time, settled.speed));
+    return settled;
+  }
+
   void begin() {
     if (options_.resumed.empty()) {
       output_.start();
@@ -233,7 +252,7 @@ class Run {
     if (const auto alarm = observer_.self_watch().first_alarm())
       tell(fmt::format("t = {:.4g} s: {} The run goes on.", simulation_.time(), *alarm));
     if (!frame || case_.output.frames <= 0) return;
-    observer_.self_watch().count_crossings();
+    observer_.self_watch().look_at_cloth();
     output_.add_frame();
   }
 
@@ -293,6 +312,7 @@ class Run {
   Parallel parallel_;
   std::shared_ptr<spdlog::logger> log_;
   std::unique_ptr<StateReader> developed_;
+  Settled<D> settled_;
   Simulation<D> simulation_;
   Observer<D> observer_;
   Output<D> output_;

@@ -1,7 +1,9 @@
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 
+#include "measure/persistence.hpp"
 #include "record/quality.hpp"
 #include "washer/simulation.hpp"
 
@@ -16,8 +18,8 @@ class SelfWatch {
 
   /// For a row of the history. `power`: of the drives on the water, mean since the row before [W].
   const QualitySample& observe(double power);
-  /// Cloth through cloth as it is, for a frame.
-  const Crossings& count_crossings();
+  /// Cloth through cloth and near to cloth as it is, for a frame.
+  void look_at_cloth();
   /// A paragraph on a flow that is not resolved, once: when the first row shows it.
   std::optional<std::string> first_alarm();
 
@@ -26,13 +28,16 @@ class SelfWatch {
 
  private:
   EnergyState energy_now(double work) const;
+  void count_crossings();
 
   const Simulation<D>& simulation_;
   SidePairs<D> sides_;
   bool closed_;
   bool alarmed_ = false;
   EnergyState energy_;
-  double power_of_sides_ = 0;  ///< at the last row [W]
+  double power_of_sides_ = 0;              ///< at the last row [W]
+  double work_on_cloth_ = 0;               ///< of weight, load and repulsion up to the last row [J]
+  std::array<Persistence, 2> near_later_;  ///< a quarter and a whole period of the drive later
   QualitySample row_;
   Quality quality_;
 };

@@ -9,6 +9,7 @@
 #include "cloth/plate.hpp"
 #include "cloth/thread.hpp"
 #include "contact/start_check.hpp"
+#include "contact/untangle.hpp"
 #include "washer/packet.hpp"
 #include "washer/placement.hpp"
 
@@ -84,9 +85,10 @@ ContactSettings build_contact(const Case& whole) {
     finest = std::min(finest, whole.domain.size[d] / whole.domain.cells[d]);
   contact.range = given.range;
   contact.pressure = given.pressure;
-  // Layers that start much nearer to each other than the range part slowly.
+  // Layers that start much nearer to each other than the range part slowly; what has settled has
+  // parted before.
   const bool packed = std::any_of(whole.cloth.begin(), whole.cloth.end(), is_packed);
-  contact.rise = (packed ? 1 : 0.1) * whole.scale.period;
+  contact.rise = whole.settle.time > 0 ? 0 : (packed ? 1 : 0.1) * whole.scale.period;
   contact.gap = given.gap;
   contact.areal_mass = whole.fluid.density * finest * kernel_thickness(whole.coupling.kernel);
   for (const ClothCase& cloth : whole.cloth)
@@ -135,6 +137,38 @@ Sheet<D> build_sheet(const ClothCase& cloth, const Case& whole, const Patch& pat
 
 namespace {
 
+/// Moves pieces apart that start too near to each other. A piece may go where its nodes are half a
+/// cell away from all sides and solids.
+template <int D>
+void part_pieces(Cloth<D>& cloth, const Case& whole) {
+  const ContactSettings contact = build_contact(whole);
+  const Mesh<D> mesh = build_mesh<D>(whole);
+  const auto solids = build_solids(whole, 0);
+  const std::vector<Vec<D>> start = cloth.position;
+  const Vec<D> least = 0.5 * mesh.h;
+  const auto is_free = [&](const Vec<D>& x) {
+    for (int d = 0; d < D; ++d)
+      if (!mesh.periodic[d] &&
+          std::min(x[d] - mesh.lower[d], mesh.lower[d] + mesh.size()[d] - x[d]) < least[d])
+        return false;
+    Vec<3> place = Vec<3>::Zero();
+    place.template head<D>() = x;
+    return std::none_of(solids.begin(), solids.end(), [&](const Solid& solid) {
+      return solid.psi(place, 0) > -least.maxCoeff();
+    });
+  };
+  untangle<D>(cloth, mesh, contact.gap, [&](int piece, const Vec<D>& way) {
+    for (const auto& group : cloth.groups) {
+      const int p = piece - group.first_piece;
+      if (p >= group.pieces) continue;
+      for (int n = 0; n < group.sheet.nodes(); ++n)
+        if (!is_free(start[static_cast<std::size_t>(group.node(p, n))] + way)) return false;
+      return true;
+    }
+    return false;
+  });
+}
+
 /// Cloth that starts tangled stays tangled, since nothing passes through cloth.
 /// @throws InputError
 template <int D>
@@ -156,8 +190,8 @@ void refuse_tangled(const Cloth<D>& cloth, const Case& whole) {
                         found->first == found->second ? "itself" : "each other");
   throw InputError(
       fmt::format("cloth: {}; try another start of the cloth, such as a larger "
-                  "cloth.clearance or fewer pieces, or contact.scheme = \"none\"",
-                  how));
+                  "cloth.clearance or fewer pieces, {}or contact.scheme = \"none\"",
+                  how, whole.contact.untangle ? "" : "contact.untangle = true, "));
 }
 
 }  // namespace
@@ -177,6 +211,7 @@ Cloth<D> build_cloth(const Case& whole) {
     cloth.add(build_sheet<D>(group, whole, patches.front()), where,
               held_nodes(group, cloth_nodes(group, whole)));
   }
+  if (whole.contact.untangle) part_pieces(cloth, whole);
   refuse_tangled(cloth, whole);
   return cloth;
 }

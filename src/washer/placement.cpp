@@ -162,6 +162,7 @@ class Placer {
       case Arrangement::book:
         return page();
       case Arrangement::random:
+      case Arrangement::dropped:
         return anywhere();
       case Arrangement::layers:
         return in_layer();
@@ -242,7 +243,8 @@ class Placer {
   /// rest, and all of it out of moving ones; empty if nothing is.
   std::string obstacle(const Facets& piece, const Facets& free, double clearance) const {
     for (const Piece& other : placed_)
-      if (near(other.facets, piece, clearance)) return "other pieces";
+      if (!(is_single() && whole_.contact.untangle) && near(other.facets, piece, clearance))
+        return "other pieces";
     for (const Rectangle& flat : piece.flat)
       if (std::string side = side_hit(flat, clearance + piece.slack); !side.empty()) return side;
     for (std::size_t i = 0; i < solids_.size(); ++i)

@@ -7,9 +7,10 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "case/velocity_field.hpp"
+#include "case/vector_field.hpp"
 #include "cloth/weight.hpp"
 #include "washer/build.hpp"
+#include "washer/pull.hpp"
 #include "washer/resolution.hpp"
 #include "washer/watch.hpp"
 
@@ -27,7 +28,8 @@ const char* name(StepLimit limit) {
 }
 
 template <int D>
-Simulation<D>::Simulation(const Case& whole, const Parallel& parallel, Archive* developed)
+Simulation<D>::Simulation(const Case& whole, const Parallel& parallel, Archive* developed,
+                          const std::vector<Vec<D>>& places)
     : case_(whole),
       grid_(build_mesh<D>(whole), parallel, granularity(build_mesh<D>(whole))),
       mapping_(grid_, build_solids(whole), build_heaviside(whole)),
@@ -38,6 +40,7 @@ Simulation<D>::Simulation(const Case& whole, const Parallel& parallel, Archive* 
       impulses_(whole.solids.size()),
       moments_(whole.solids.size()),
       surface_momenta_(mapping_.solids().size()) {
+  if (!places.empty()) cloth_.position = places;
   start_water();
   if (developed) take_developed(*developed);
   courant_rate_ = start_rate();
@@ -46,16 +49,22 @@ Simulation<D>::Simulation(const Case& whole, const Parallel& parallel, Archive* 
     coupling_.emplace(flow_, cloth_, mapping_, whole.coupling.kernel, build_sides<D>(whole),
                       whole.coupling.scheme, whole.coupling.marker_spacing, &clock_,
                       build_contact(whole));
-  if (coupling_)
-    coupling_->add(std::make_unique<Weight<D>>(cloth_, whole.fluid.gravity.template head<D>()));
+  if (coupling_) add_forces();
   find_surface_momenta();
+}
+
+/// What acts on the cloth besides the water and what it touches.
+template <int D>
+void Simulation<D>::add_forces() {
+  coupling_->add(std::make_unique<Weight<D>>(cloth_, case_.fluid.gravity.template head<D>()));
+  if (Pull<D>::any(case_)) coupling_->add(std::make_unique<Pull<D>>(cloth_, case_));
 }
 
 /// The water's velocity at t = 0, and that of the solids on the faces that they close.
 template <int D>
 void Simulation<D>::start_water() {
   if (case_.fluid.velocity == FluidCase().velocity) return;
-  const VelocityField<D> field(case_.fluid.velocity);
+  const VectorField<D> field(case_.fluid.velocity, "the velocity");
   flow_.set_velocity([&](const Vec<D>& x) { return field(x); });
   mapping_.impose(flow_.velocity());
   flow_.refresh_ghosts();

@@ -31,10 +31,12 @@ class Simulation {
  public:
   /// Places the cloth at rest, and sets the water's velocity at t = 0.
   /// With `developed`, an archive of another simulation's state, water and cloth start as they are
-  /// there; time, solids and everything else are those of this case.
+  /// there; time, solids and everything else are those of this case. With `places` the cloth rests
+  /// there instead, a place for each node [m].
   /// @throws InputError where the cloth does not fit or the grid does not suit the ranks, or where
   /// the developed state has another grid or other cloth
-  Simulation(const Case& whole, const Parallel& parallel, Archive* developed = nullptr);
+  Simulation(const Case& whole, const Parallel& parallel, Archive* developed = nullptr,
+             const std::vector<Vec<D>>& places = {});
 
   /// All that goes on from step to step (collective).
   void state(Archive& archive);
@@ -74,12 +76,15 @@ class Simulation {
   const PhaseClock& clock() const { return clock_; }
   /// Of the fastest surface, side or inflow; else of the water at the start [m/s].
   double driving_speed() const { return driving_speed_; }
+  /// Of weight, load and repulsion on the cloth since the start [J]; per metre in 2-D.
+  double work_on_cloth() const { return coupling_ ? coupling_->work_of_forces() : 0; }
   /// Impulse on a turning solid of the case since the last call, the same on all ranks.
   Impulse take_impulse(std::size_t solid);
   /// Loads on a solid of the case now, summed over its images and the ranks (collective).
   SurfaceLoads<D> loads(std::size_t solid) const;
 
  private:
+  void add_forces();
   void start_water();
   void take_developed(Archive& developed);
   void measure_start();

@@ -60,7 +60,9 @@ TEST(Fabrics, ServeThreadsToo) {
       "dimension = 2\n[washer]\nradius = \"31 cm\"\n[fluid]\nviscosity = \"1 Pa s\"\n[domain]\n"
       "cells = 64\n[[cloth]]\nsize = [\"20 cm\"]\nfabric = \"denim\"\n[time]\nend = \"1 s\"\n",
       "it");
-  EXPECT_EQ(whole.cloth[0].material.stretch, 3400);
+  EXPECT_EQ(whole.cloth[0].material.stretch, 2600);
+  EXPECT_EQ(whole.cloth[0].material.stretch_beyond, 11000);
+  EXPECT_EQ(whole.cloth[0].material.knee, 0.01);
   EXPECT_EQ(whole.cloth[0].material.shear, 0);
 }
 
@@ -80,13 +82,32 @@ TEST(Groups, HaveNamesOfTheirOwn) {
     }
 }
 
+/// What is stiffer beyond a strain goes with the stiffness below it.
+TEST(Fabrics, StretchIsTakenAsAWhole) {
+  const ClothCase given = cloth_of("fabric = \"denim\"\nstretch_stiffness = \"8e5 N/m\"\n");
+  EXPECT_EQ(given.material.stretch, 8e5);
+  EXPECT_TRUE(std::isinf(given.material.knee));
+  const ClothCase both =
+      cloth_of("fabric = \"denim\"\nkes = { B = 0.2, G = 2, LT = 1, EMT = 5 }\n");
+  EXPECT_NEAR(both.material.stretch, 9807, 1);
+  EXPECT_TRUE(std::isinf(both.material.knee));
+}
+
+TEST(Stretch, BeyondAKneeIsRefusedWhereItMakesNoSense) {
+  const std::string rest = "fabric = \"t-shirt jersey\"\n";
+  EXPECT_THAT(error_of(rest + "knee = 0.02\n"), HasSubstr("expected stiffness_beyond along with"));
+  EXPECT_THAT(error_of(rest + "stiffness_beyond = \"100 N/m\"\n"),
+              HasSubstr("allowed: from stretch_stiffness, \"300 N/m\", on"));
+  EXPECT_EQ(cloth_of(rest + "stiffness_beyond = \"1000 N/m\"\n").material.knee, 0.01);
+}
+
 TEST(Fabrics, AreNamedWhereOneDoesNotExist) {
   EXPECT_THAT(error_of("fabric = \"cotton sheets\"\n"),
               AllOf(HasSubstr("it:10: cloth.fabric"), HasSubstr("nearest: \"cotton sheet\"")));
 }
 
 /// B = 0.2 gf cm^2/cm is 19.6 uN m, G = 2 gf/(cm deg) is 112.4 N/m. EMT = 5 % and LT = 0.7 make
-/// N = 490 (e/0.05)^1.857, whose tangent at 20 N/m is 4.16e3 N/m.
+/// N = 490.3 (e/0.05)^1.857, which is 24.7 N/m at 1 %.
 TEST(Readings, OfKawabataAreConverted) {
   const ClothCase cloth = cloth_of(
       "thickness = \"0.5 mm\"\npermeability = \"1e-5 m/(s Pa)\"\n"
@@ -94,7 +115,9 @@ TEST(Readings, OfKawabataAreConverted) {
   EXPECT_NEAR(cloth.material.bending, 19.61e-6, 0.01e-6);
   EXPECT_NEAR(cloth.material.torsion, 19.61e-6, 0.01e-6);
   EXPECT_NEAR(cloth.material.shear, 112.4, 0.1);
-  EXPECT_NEAR(cloth.material.stretch, 4.16e3, 10);
+  EXPECT_NEAR(cloth.material.stretch, 2468, 1);
+  EXPECT_NEAR(cloth.material.stretch_beyond, 11641, 2);
+  EXPECT_NEAR(cloth.material.knee, 0.01, 1e-12);
   EXPECT_EQ(cloth.material.permeability, 1e-5);
 }
 

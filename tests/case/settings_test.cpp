@@ -100,9 +100,10 @@ TEST(KindSettings, TakeOutKeysOfAnotherArrangement) {
                            "size = [\"10 cm\", \"10 cm\"]\narrangement = \"random\"\n"
                            "clearance = \"1 mm\"\n";
   const std::string sheet = "cloth.arrangement=sheet";
-  EXPECT_THAT(error_of(text, {sheet}),
-              HasSubstr("cloth.clearance = \"1 mm\": only for \"book\", \"random\" and "
-                        "\"layers\"; --set cloth.clearance= takes it out"));
+  EXPECT_THAT(
+      error_of(text, {sheet}),
+      HasSubstr("cloth.clearance = \"1 mm\": only for \"book\", \"random\", \"dropped\" and "
+                "\"layers\"; --set cloth.clearance= takes it out"));
   EXPECT_EQ(read_text(text, {sheet, "cloth.clearance="}).cloth[0].arrangement, Arrangement::sheet);
   EXPECT_EQ(error_of(text, {"cloth.tilt="}),
             "--set cloth.tilt=: the case file does not give it, so it cannot be taken out");

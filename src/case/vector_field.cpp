@@ -1,4 +1,4 @@
-#include "case/velocity_field.hpp"
+#include "case/vector_field.hpp"
 
 #include <fmt/format.h>
 
@@ -10,12 +10,13 @@
 namespace washtub {
 
 template <int D>
-VelocityField<D>::VelocityField(const std::array<std::string, 3>& formulas) : texts_(formulas) {
+VectorField<D>::VectorField(const std::array<std::string, 3>& formulas, std::string what)
+    : texts_(formulas), what_(std::move(what)) {
   for (int d = 0; d < D; ++d) formulas_.emplace_back(formulas[d], formula_variables(D, true));
 }
 
 template <int D>
-Vec<D> VelocityField<D>::operator()(const Vec<D>& x, double t) const {
+Vec<D> VectorField<D>::operator()(const Vec<D>& x, double t) const {
   std::array<double, D + 2> values;
   for (int d = 0; d < D; ++d) values[d] = x[d];
   values[D] = std::hypot(x[0], x[1]);
@@ -25,14 +26,14 @@ Vec<D> VelocityField<D>::operator()(const Vec<D>& x, double t) const {
     u[d] = formulas_[d](values);
     if (!std::isfinite(u[d]))
       throw InputError(
-          fmt::format("the velocity \"{}\" is not finite at x = {:.6g} m, y = {:.6g} "
+          fmt::format("{} \"{}\" is not finite at x = {:.6g} m, y = {:.6g} "
                       "m, t = {:.6g} s; try a < b ? c : d",
-                      texts_[d], x[0], x[1], t));
+                      what_, texts_[d], x[0], x[1], t));
   }
   return u;
 }
 
-template class VelocityField<2>;
-template class VelocityField<3>;
+template class VectorField<2>;
+template class VectorField<3>;
 
 }  // namespace washtub
