@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "cloth/face_normal.hpp"
@@ -15,6 +16,8 @@ constexpr double own = 1.4;        // of the range: nearer corners of one piece 
 constexpr double skin = 0.5;       // of the neighbour lists, of the range
 constexpr double steepest = 0.25;  // of areal mass / dt^2: bound of -p'
 constexpr double stopped = 0.1;    // part of the areal mass that friction may stop in a step
+
+float rounded_down(double positive) { return static_cast<float>((1 - 1e-6) * positive); }
 
 /// Barycentric weights of the middles of `parts` equal parts of a segment, or of the parts^2 equal
 /// parts of a triangle.
@@ -63,8 +66,9 @@ Repulsion<D>::Repulsion(const ClothSurface<D>& surface, const Mesh<D>& mesh,
         add_samples(f, std::max(1, static_cast<int>(std::ceil(edge / (sample * set_.range)))));
     }
   centre_.resize(piece_.size());
-  normal_.resize(piece_.size());
+  normal_.resize(piece_.size(), Vec<D>::Zero());
   radius_.resize(piece_.size());
+  turned_.resize(piece_.size());
 }
 
 template <int D>
@@ -97,6 +101,8 @@ bool Repulsion<D>::apart(int a, int b) const {
 template <int D>
 void Repulsion<D>::list() {
   where_ = x_;
+  travelled_ = 0;
+  std::fill(turned_.begin(), turned_.end(), 0.0);
   near_.clear();
   first_.assign(1, 0);
   std::vector<BoundingBox<D>> boxes;
@@ -106,6 +112,7 @@ void Repulsion<D>::list() {
     boxes.push_back(box_about<D>(corners));
   }
   const double longest = 2 * *std::max_element(radius_.begin(), radius_.end());
+  far_ = set_.range + skin_ + longest;
   const BoxLists<D> faces(boxes, mesh_, longest + 2 * (set_.range + skin_));
   int face = -1;
   for (const Sample& s : samples_) {
@@ -126,58 +133,60 @@ void Repulsion<D>::list_faces_near(int face, const BoxLists<D>& faces) {
   });
 }
 
-/// Lists those of them that may become the nearest on their side.
+/// Lists those of them that may come within the range.
 template <int D>
 void Repulsion<D>::list_near(const Sample& s) {
-  const Vec<D> x = at(s, x_), &normal = normal_[s.face];
-  const double reach = set_.range + skin_;
-  std::array<Foot, 2> sides{no_foot(set_.range), no_foot(set_.range)};
-  const auto begin = static_cast<std::ptrdiff_t>(near_.size());
+  const Vec<D> x = at(s, x_);
   for (const int face : about_) {
-    const View v = view(x, normal, face);
-    if (v.bound >= std::min(reach, nearest_found(v, sides) + 2 * skin_)) continue;
-    look(v, normal, face, sides);
-    near_.push_back({static_cast<float>((1 - 1e-6) * v.bound), face});
+    const double least = bound(x - centre_[face], face);
+    if (least < set_.range + skin_) near_.push_back({face, rounded_down(least), 0});
   }
-  std::sort(near_.begin() + begin, near_.end());
   first_.push_back(near_.size());
 }
 
+/// Of the distance of a point and a face, from below.
 template <int D>
-auto Repulsion<D>::view(const Vec<D>& x, const Vec<D>& normal, int face) const -> View {
-  View v{x - centre_[face], {}, 0, 2};
-  v.way -= mesh_.periods_in(v.way);
-  const double height = std::abs(normal_[face].dot(v.way));
-  const double squares = v.way.squaredNorm() - height * height, radius = radius_[face];
+double Repulsion<D>::bound(const Vec<D>& from_centre, int face) const {
+  const Vec<D> way = from_centre - mesh_.periods_in(from_centre);
+  const double height = std::abs(normal_[face].dot(way));
+  const double squares = way.squaredNorm() - height * height, radius = radius_[face];
   const double aside = squares > radius * radius ? std::sqrt(squares) - radius : 0;
-  v.bound = aside > 0 ? std::sqrt(height * height + aside * aside) : height;
-  std::size_t beyond = 0;  // corners on the second side
-  for (std::size_t k = 0; k < D; ++k) {
-    v.corners[k] = x_[surface_.faces[face][k]] - centre_[face];
-    beyond += normal.dot(v.way - v.corners[k]) > 0;
-  }
-  if (beyond % D == 0) v.side = beyond == 0 ? 0 : 1;
-  return v;
+  return aside > 0 ? std::sqrt(height * height + aside * aside) : height;
 }
 
-/// Distance of what has been found on the side of a face.
+/// Whether a face may be nearer than what has been found on its side of the sample's surface.
 template <int D>
-double Repulsion<D>::nearest_found(const View& v, const std::array<Foot, 2>& sides) {
-  return v.side < 2 ? sides[static_cast<std::size_t>(v.side)].distance
-                    : std::max(sides[0].distance, sides[1].distance);
+bool Repulsion<D>::may_be_nearest(const Near& near, const Sample& s, const Feet& feet) const {
+  const double aside = near.aside, bound = near.bound - loss();
+  if (std::abs(aside) > loss_aside(s.face)) return bound < feet[side_of(-aside)].distance;
+  return bound < farther(feet);
 }
 
 /// Takes the nearest point of a face if it is nearer than the one found so far on its side of the
-/// sample's surface.
+/// sample's surface, and notes how the face lies.
 template <int D>
-void Repulsion<D>::look(const View& v, const Vec<D>& normal, int face,
-                        std::array<Foot, 2>& sides) const {
-  if (v.bound >= nearest_found(v, sides)) return;
-  const auto w = nearest_weights(v.way, v.corners);
-  Vec<D> gap = v.way;
-  for (std::size_t k = 0; k < D; ++k) gap -= w[k] * v.corners[k];
-  const double d = gap.norm();
-  Foot& foot = sides[gap.dot(normal) > 0 ? 1 : 0];
+void Repulsion<D>::look(const Sample& s, const Vec<D>& x, Near& near, Feet& feet) const {
+  const int face = near.face;
+  const Vec<D>& normal = normal_[s.face];
+  Vec<D> way = x - centre_[face];
+  way -= mesh_.periods_in(way);
+  std::array<Vec<D>, D> corners;  // from its centre
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (std::size_t k = 0; k < D; ++k) {
+    corners[k] = x_[surface_.faces[face][k]] - centre_[face];
+    const double height = normal.dot(way - corners[k]);
+    lowest = std::min(lowest, height);
+    highest = std::max(highest, height);
+  }
+  const auto w = nearest_weights(way, corners);
+  Vec<D> gap = way;
+  for (std::size_t k = 0; k < D; ++k) gap -= w[k] * corners[k];
+  const double d = gap.norm(), lost = loss_aside(s.face);
+  near.bound = rounded_down(d + loss());
+  near.aside = lowest > 0    ? -rounded_down(lowest + lost)
+               : highest < 0 ? rounded_down(lost - highest)
+                             : 0;
+  Foot& foot = feet[side_of(gap.dot(normal))];
   if (d < foot.distance) foot = {face, w, gap, d};
 }
 
@@ -225,7 +234,9 @@ template <int D>
 void Repulsion<D>::measure_faces() {
   for (std::size_t f = 0; f < centre_.size(); ++f) {
     const auto& face = surface_.faces[f];
-    normal_[f] = face_normal<D>(face, x_).normalized();
+    const Vec<D> normal = face_normal<D>(face, x_).normalized();
+    turned_[f] += (normal - normal_[f]).norm();
+    normal_[f] = normal;
     centre_[f].setZero();
     for (const int point : face) centre_[f] += x_[point] / D;
     double squares = 0;
@@ -235,19 +246,30 @@ void Repulsion<D>::measure_faces() {
   }
 }
 
-/// Pushes a sample off what is nearest to it on either side. No face is nearer by more than 2
-/// `moved` than it was when it was listed.
+/// Pushes a sample off what is nearest to it on either side. What turns out to be nearest comes
+/// first the next time.
 template <int D>
-void Repulsion<D>::push_off(std::size_t sample, double moved, double dt) {
+void Repulsion<D>::push_off(std::size_t sample, double dt) {
   const Sample& s = samples_[sample];
-  std::array<Foot, 2> sides{no_foot(set_.range), no_foot(set_.range)};
-  const Vec<D> x = at(s, x_), &normal = normal_[s.face];
-  for (std::size_t k = first_[sample]; k < first_[sample + 1]; ++k) {
-    if (near_[k].bound - 2 * moved >= std::max(sides[0].distance, sides[1].distance)) break;
-    look(view(x, normal, near_[k].face), normal, near_[k].face, sides);
+  Feet feet{no_foot(set_.range), no_foot(set_.range)};
+  const Vec<D> x = at(s, x_);
+  const std::size_t first = first_[sample];
+  for (std::size_t k = first; k < first_[sample + 1]; ++k) {
+    Near& near = near_[k];
+    if (!may_be_nearest(near, s, feet)) continue;
+    look(s, x, near, feet);
+    if (feet[0].face == near.face || feet[1].face == near.face) std::swap(near, near_[first]);
   }
-  for (const Foot& foot : sides)
+  for (const Foot& foot : feet)
     if (foot.face >= 0) push(s, foot, dt);
+}
+
+/// Whether what is listed may not be all that matters now.
+template <int D>
+bool Repulsion<D>::is_outdated() {
+  if (where_.size() != x_.size()) return true;
+  travelled_ += farthest<D>(before_, x_);
+  return 2 * farthest<D>(where_, x_) > skin_;
 }
 
 template <int D>
@@ -257,11 +279,11 @@ void Repulsion<D>::add(const ClothMoment<D>& now, std::vector<Vec<D>>& force) {
   v_.resize(x_.size());
   for (std::size_t i = 0; i < v_.size(); ++i) v_[i] = now.velocity[surface_.node[i]];
   measure_faces();
-  double moved = where_.size() == x_.size() ? farthest<D>(where_, x_) : skin_;
-  if (2 * moved > skin_) list(), moved = 0;
+  if (is_outdated()) list();
+  before_ = x_;
   sum_.assign(force.size(), Vec<D>::Zero());
   for (std::size_t i = 0; i < samples_.size(); ++i)
-    if (first_[i + 1] > first_[i]) push_off(i, moved, now.dt);
+    if (first_[i + 1] > first_[i]) push_off(i, now.dt);
   parallel_.sum(std::span<double>(sum_.front().data(), sum_.size() * D));
   for (std::size_t i = 0; i < force.size(); ++i) force[i] += sum_[i];
 }

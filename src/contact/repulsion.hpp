@@ -39,10 +39,13 @@ class Repulsion : public NodalForce<D> {
     Weights weight;
     double area;  ///< [m^2]; in 2-D length [m]
   };
+  /// A face near a sample, and how it lay when it was last looked at. Both grow by what points and
+  /// the sample's face had moved then since the list was made, and hold less what they have now.
   struct Near {
-    float bound;  ///< of the distance, from below, when it was listed [m]
     int face;
-    auto operator<=>(const Near&) const = default;
+    float bound;  ///< it is no nearer [m]
+    float aside;  ///< from the plane of the sample's face: all of it is at least that far on the
+                  ///< first side, or below 0 on the second [m]; 0: on either
   };
   /// The nearest point of a piece.
   struct Foot {
@@ -56,23 +59,25 @@ class Repulsion : public NodalForce<D> {
 
   void add_samples(int face, int parts);
   bool mine(int face) const { return Share(parallel_).has(piece_[face]); }
+  bool is_outdated();
   void list();
   void list_faces_near(int face, const BoxLists<D>& faces);
   void list_near(const Sample& s);
   void measure_faces();
   bool apart(int a, int b) const;
   Vec<D> at(const Sample& s, const std::vector<Vec<D>>& x) const;
-  /// How a face lies to a sample, at little cost.
-  struct View {
-    Vec<D> way;                     ///< from its centre to the sample [m]
-    std::array<Vec<D>, D> corners;  ///< from its centre [m]
-    double bound;                   ///< of its distance from below [m]
-    int side;                       ///< of the sample's face; 2: some of it on either
-  };
-  View view(const Vec<D>& x, const Vec<D>& normal, int face) const;
-  void look(const View& view, const Vec<D>& normal, int face, std::array<Foot, 2>& sides) const;
-  static double nearest_found(const View& view, const std::array<Foot, 2>& sides);
-  void push_off(std::size_t sample, double moved, double dt);
+  /// The nearest points on either side of a sample's face.
+  using Feet = std::array<Foot, 2>;
+  static double farther(const Feet& feet) { return std::max(feet[0].distance, feet[1].distance); }
+  static std::size_t side_of(double height) { return height > 0 ? 1 : 0; }
+  /// How much a bound from below of a distance may have lost since the list was made [m].
+  double loss() const { return 2 * travelled_; }
+  /// The same of the distance from the plane of a face.
+  double loss_aside(int face) const { return loss() + far_ * turned_[face]; }
+  bool may_be_nearest(const Near& near, const Sample& s, const Feet& feet) const;
+  double bound(const Vec<D>& way, int face) const;
+  void look(const Sample& s, const Vec<D>& x, Near& near, Feet& feet) const;
+  void push_off(std::size_t sample, double dt);
   void push(const Sample& s, const Foot& foot, double dt);
   double pressure(double d, double dt) const;
   Vec<D> drag(const Sample& s, const Foot& foot, double normal, double dt) const;
@@ -85,14 +90,18 @@ class Repulsion : public NodalForce<D> {
   std::vector<Sample> samples_;  ///< of this rank's pieces
   std::vector<int> piece_;       ///< of each face
   double age_ = 0;               ///< time since the start [s]
-  // Faces near each sample, the nearest first. They hold while no point has moved by half the skin.
+  // Faces near each sample. They hold while no point has moved by half the skin.
   double skin_;
   std::vector<Vec<D>> where_;
   std::vector<std::size_t> first_;  ///< of each sample, and the end of the last
   std::vector<Near> near_;
-  std::vector<int> about_;  ///< faces near one face
+  double travelled_ = 0;        ///< bound of the way of any point since then [m]
+  double far_ = 0;              ///< bound of the distance of a listed face's corners [m]
+  std::vector<double> turned_;  ///< bound of the change of each face's normal since then
+  std::vector<int> about_;      ///< faces near one face
 
   std::vector<Vec<D>> x_, v_;   ///< of the points now [m], [m/s]
+  std::vector<Vec<D>> before_;  ///< where they were in the step before [m]
   std::vector<Vec<D>> centre_;  ///< of each face [m]
   std::vector<Vec<D>> normal_;  ///< of each face, unit length
   std::vector<Vec<D>> sum_;     ///< force of each node [N]
