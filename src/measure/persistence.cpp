@@ -38,10 +38,18 @@ void Persistence::state(Archive& archive) {
     for (const auto& [a, b] : instant.pairs) numbers.insert(numbers.end(), {a, b});
   }
   archive.value("times", times);
-  archive.same_length("lengths", lengths);
+  archive.value("lengths", lengths);
   archive.value("pairs", numbers);
   archive.value("before", before_);
   archive.value("still", still_);
+  if (!archive.reading()) return;
+  kept_.clear();
+  auto next = numbers.begin();
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    kept_.push_back({times[i], {}});
+    for (int k = 0; k < lengths[i]; ++k, next += 2)
+      kept_.back().pairs.emplace_back(next[0], next[1]);
+  }
 }
 
 }  // namespace washtub

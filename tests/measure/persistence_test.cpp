@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/snapshot.hpp"
+
 using namespace washtub;
 
 /// Four pairs at first, of which one lasts; two more come a span later, and stay.
@@ -27,6 +29,21 @@ TEST(Persistence, SkipsInstantsThatMissTheSpan) {
   persistence.add(0.7, {{0, 1}});
   persistence.add(1.4, {{0, 1}});
   EXPECT_TRUE(std::isnan(persistence.share()));
+}
+
+/// Going back to an earlier instant it knows what it knew then.
+TEST(Persistence, IsKeptWithTheRest) {
+  Persistence persistence(1);
+  persistence.add(0, {{0, 1}, {2, 3}});
+  Snapshot then;
+  then.take(persistence);
+  persistence.add(0.5, {{4, 5}});
+  persistence.add(1, {{0, 1}, {2, 3}});
+  EXPECT_DOUBLE_EQ(persistence.share(), 1);
+  then.put_back(persistence);
+  EXPECT_TRUE(std::isnan(persistence.share()));
+  persistence.add(1, {{2, 3}});
+  EXPECT_DOUBLE_EQ(persistence.share(), 0.5);
 }
 
 TEST(Persistence, KeepsNothingWithoutASpan) {
