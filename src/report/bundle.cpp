@@ -75,7 +75,20 @@ Json solids_index(const Case& whole, const SurfaceBox& box, Chunks& chunks,
   return solids;
 }
 
-Json cloth_index(const FrameSet& frames) {
+/// Name and number of pieces of each group of cloth; one group where the case does not tell.
+Json groups_index(const RunRecord& run, std::size_t pieces) {
+  Json groups = Json::array();
+  std::size_t told = 0;
+  if (run.definition)
+    for (const ClothCase& cloth : run.definition->cloth) {
+      groups.push_back({{"name", cloth.name}, {"pieces", cloth.count}});
+      told += static_cast<std::size_t>(cloth.count);
+    }
+  if (told == pieces) return groups;
+  return Json::array({{{"name", "cloth"}, {"pieces", pieces}}});
+}
+
+Json cloth_index(const RunRecord& run, const FrameSet& frames) {
   if (frames.pieces.empty()) return nullptr;
   Json pieces = Json::array();
   for (const auto& p : frames.pieces)
@@ -83,7 +96,9 @@ Json cloth_index(const FrameSet& frames) {
                       {"nr", p.extent[0]},
                       {"ns", p.extent[1]},
                       {"closed", {p.closed[0], p.closed[1]}}});
-  return {{"pieces", pieces}, {"nodes", frames.nodes}};
+  return {{"pieces", pieces},
+          {"groups", groups_index(run, frames.pieces.size())},
+          {"nodes", frames.nodes}};
 }
 
 /// The rows of a table that are kept.
@@ -112,7 +127,7 @@ Json head(const RunRecord& run, const FrameSet& frames, Chunks& chunks,
   index["free_surface"] = run.definition && has_free_surface(*run.definition);
   index["solids"] =
       run.definition ? solids_index(*run.definition, whole, chunks, notes) : Json::array();
-  index["cloth"] = cloth_index(frames);
+  index["cloth"] = cloth_index(run, frames);
   return index;
 }
 

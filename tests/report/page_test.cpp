@@ -73,6 +73,8 @@ TEST(Page, HoldsTheClothAsItWasWritten) {
   EXPECT_EQ(frames["angles"]["agitator"][2], 0.2);
   EXPECT_EQ(page.run()["cloth"]["pieces"][1],
             Json({{"first", 12}, {"nr", 3}, {"ns", 4}, {"closed", {false, false}}}));
+  EXPECT_EQ(page.run()["cloth"]["groups"].size(), 1U);
+  EXPECT_EQ(page.run()["cloth"]["groups"][0]["pieces"], page.run()["cloth"]["pieces"].size());
   const auto q = page.chunk<std::uint16_t>(frames["positions"]);
   const auto s = page.chunk<std::uint16_t>(frames["stress"]["total"]["values"]);
   ASSERT_EQ(q.size(), 5U * 3 * 24);

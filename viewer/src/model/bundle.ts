@@ -90,6 +90,7 @@ export interface SolidIndex {
 /** Nodes of all pieces one after the other; node (i, j) of a piece is first + i + nr j. */
 export interface ClothIndex {
   pieces: { first: number; nr: number; ns: number; closed: [boolean, boolean] }[];
+  groups: { name: string; pieces: number }[]; // in the order of the pieces
   nodes: number;
 }
 

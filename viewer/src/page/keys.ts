@@ -111,7 +111,7 @@ function viewKeys({ settings, choices, save }: Parts, stage: Stage): Key[] {
 function clothKeys(settings: Store<Settings>, choices: Choices): Key[] {
   const now = () => settings.value;
   return [
-    key(['c'], 'c', 'next colouring: piece, stresses', () =>
+    key(['c'], 'c', 'next colouring: piece, group, stresses', () =>
       settings.set({ colour: after(choices.colours, now().colour) }),
     ),
     key(['l'], 'l', 'next range of the stress colours', () =>

@@ -1,4 +1,5 @@
 import type { Store } from '../model/store';
+import { stressShown } from '../scene/settings';
 import type { Choices, RangeChoice, Settings, SliceChoice } from '../scene/settings';
 import { button, make, select, slider, tick } from '../dom';
 
@@ -54,7 +55,7 @@ function clothGroup(settings: Store<Settings>, choices: Choices): HTMLElement {
   settings.subscribe((now) => {
     colour.select.value = now.colour;
     range.select.value = now.range;
-    range.element.hidden = now.colour === 'piece';
+    range.element.hidden = stressShown(now.colour) === null;
     trails.select.value = String(now.trails);
     shown.input.checked = now.cloth;
   });

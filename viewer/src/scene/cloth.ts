@@ -1,13 +1,14 @@
 import * as THREE from 'three';
 import type { ClothIndex } from '../model/bundle';
 import { positionsAt, stressAt } from '../model/between';
-import type { LoadedRun, Motion, StressKind } from '../model/run';
+import type { LoadedRun, Motion } from '../model/run';
 import { clothMaterial } from './cloth_material';
-import { mapOffset, pieceColour } from './colours';
+import { colourOf, mapOffset } from './colours';
 import { linear } from './linear';
 import type { ClothPart, Showing } from './part';
-import { partsFor } from './spline';
+import { stressShown } from './settings';
 import { Sheet } from './sheet';
+import { partsFor } from './spline';
 
 /** Points of all pieces together that a laptop draws 30 times a second. */
 const POINTS = 36_000;
@@ -27,7 +28,12 @@ export function buildCloth(run: LoadedRun): ClothPart | null {
   mesh.frustumCulled = false;
   mesh.castShadow = mesh.receiveShadow = true;
   const nodes = new Float32Array(3 * motion.nodes);
-  const paint = painter(motion, sheets, geometry.getAttribute('color') as THREE.BufferAttribute);
+  const paint = painter(
+    motion,
+    cloth,
+    sheets,
+    geometry.getAttribute('color') as THREE.BufferAttribute,
+  );
   return {
     object: mesh,
     surface: mesh,
@@ -36,7 +42,7 @@ export function buildCloth(run: LoadedRun): ClothPart | null {
     update(showing) {
       mesh.visible = showing.settings.cloth;
       if (!mesh.visible) return;
-      glow.value = showing.settings.colour === 'piece' ? 0 : 0.6;
+      glow.value = stressShown(showing.settings.colour) ? 0.6 : 0;
       positionsAt(motion, showing.moment, nodes);
       shape(sheets, nodes, geometry);
       paint(showing);
@@ -77,18 +83,25 @@ function shape(
   position.needsUpdate = normal.needsUpdate = true;
 }
 
-/** Paints by piece once, by stress each time. */
-function painter(motion: Motion, sheets: readonly Sheet[], attribute: THREE.BufferAttribute) {
+/** Paints by piece or group once, by stress each time. */
+function painter(
+  motion: Motion,
+  cloth: ClothIndex,
+  sheets: readonly Sheet[],
+  attribute: THREE.BufferAttribute,
+) {
   const colours = attribute.array as Float32Array;
   const stress = new Float32Array(motion.nodes);
   const values = new Float32Array(colours.length / 3);
   let painted = '';
   return ({ settings, moment, ranges, theme }: Showing): void => {
-    if (settings.colour === 'piece') {
-      if (painted !== 'piece') sheets.forEach((sheet, i) => paintPiece(sheet, i, colours));
-      else return;
+    const kind = stressShown(settings.colour);
+    if (!kind) {
+      if (painted === settings.colour) return;
+      const grouped = settings.colour === 'group';
+      sheets.forEach((sheet, i) => paintPiece(sheet, colourOf(cloth, i, grouped), colours));
     } else {
-      stressAt(motion, settings.colour as StressKind, moment, stress);
+      stressAt(motion, kind, moment, stress);
       for (const sheet of sheets) sheet.spread(stress, values);
       paintValues(values, ranges.stress, theme.stress, colours);
     }
@@ -97,8 +110,8 @@ function painter(motion: Motion, sheets: readonly Sheet[], attribute: THREE.Buff
   };
 }
 
-function paintPiece(sheet: Sheet, piece: number, colours: Float32Array): void {
-  const colour = new THREE.Color(pieceColour(piece));
+function paintPiece(sheet: Sheet, hue: string, colours: Float32Array): void {
+  const colour = new THREE.Color(hue);
   for (let point = 0; point < sheet.points; point++) {
     const shade = sheet.atHem(point) ? HEM : 1;
     const at = 3 * (sheet.point + point);

@@ -1,3 +1,5 @@
+import type { ClothIndex } from '../model/bundle';
+
 /** Colours of pieces and values. Palettes are told apart by colour-blind readers as well. */
 
 /** Paul Tol's "bright" and "muted" hues, in an order that keeps neighbours apart. */
@@ -11,6 +13,17 @@ export function pieceColour(piece: number): string {
   return round === 0
     ? hue
     : mix(hue, round % 2 ? '#ffffff' : '#101018', [0, 0.38, 0.3, 0.6, 0.5][round]!);
+}
+
+/** Colour of a piece, or of its group. */
+export function colourOf(cloth: ClothIndex, piece: number, grouped: boolean): string {
+  return pieceColour(grouped ? groupOf(cloth, piece) : piece);
+}
+
+/** Number of the group that a piece belongs to. */
+export function groupOf({ groups }: ClothIndex, piece: number): number {
+  let before = 0;
+  return groups.findIndex(({ pieces }) => piece < (before += pieces));
 }
 
 /** Red, green, blue from 0 to 255 of "#rrggbb". */

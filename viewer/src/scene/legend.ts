@@ -1,8 +1,8 @@
 import { wordsFor, type Field } from '../model/field';
-import type { LoadedRun } from '../model/run';
-import type { ColourMap } from './colours';
+import type { LoadedRun, StressKind } from '../model/run';
+import { pieceColour, type ColourMap } from './colours';
 import type { Ranges } from './ranges';
-import type { Settings } from './settings';
+import { stressShown, type Settings } from './settings';
 import { mapFor } from './slice';
 import type { Theme } from './theme';
 
@@ -17,6 +17,12 @@ export interface Legend {
   open: boolean; // whether larger values occur, at both ends where `low` is negative
 }
 
+/** What a colour stands for that belongs to no scale. */
+export interface Named {
+  name: string;
+  colour: string;
+}
+
 export function legendsOf(
   run: LoadedRun,
   settings: Readonly<Settings>,
@@ -24,23 +30,32 @@ export function legendsOf(
   theme: Theme,
 ): Legend[] {
   const legends: Legend[] = [];
-  if (settings.colour !== 'piece' && settings.cloth && run.motion)
-    legends.push(stressLegend(run, settings, ranges, theme));
+  const kind = stressShown(settings.colour);
+  if (kind && settings.cloth && run.motion)
+    legends.push(stressLegend(run, kind, settings, ranges, theme));
   if (settings.slice !== 'off' && run.field)
     legends.push(fieldLegend(run.field, settings, ranges, theme));
   return legends;
 }
 
+/** The groups of cloth and their colours, where these tell groups apart. */
+export function namesOf(run: LoadedRun, settings: Readonly<Settings>): Named[] {
+  if (settings.colour !== 'group' || !settings.cloth || !run.motion) return [];
+  const groups = run.index.cloth?.groups ?? [];
+  return groups.map(({ name }, group) => ({ name, colour: pieceColour(group) }));
+}
+
 function stressLegend(
   run: LoadedRun,
-  { colour, range }: Readonly<Settings>,
+  kind: StressKind,
+  { range }: Readonly<Settings>,
   ranges: Ranges,
   theme: Theme,
 ): Legend {
   const [unit, factor] = pascals(ranges.stress);
   const sigma = run.index.scales.stress;
   return {
-    title: run.motion?.stress[colour]?.label ?? colour,
+    title: run.motion?.stress[kind]?.label ?? kind,
     unit,
     low: 0,
     high: ranges.stress * factor,

@@ -1,5 +1,5 @@
 import { drawRows } from './legend_rows';
-import { ticks, tickText, type Legend } from './legend';
+import { ticks, tickText, type Legend, type Named } from './legend';
 import type { Theme } from './theme';
 
 /** What is written into a view and into its pictures. */
@@ -7,6 +7,7 @@ export interface Caption {
   title: string; // the run, where there are several; else empty
   time: string;
   notice: string; // such as that the run has ended; mostly empty
+  names: Named[];
   legends: Legend[];
 }
 
@@ -43,7 +44,7 @@ export function drawCaption(
 function drawLabels(
   context: CanvasRenderingContext2D,
   width: number,
-  { title, time, notice }: Caption,
+  { title, time, notice, names }: Caption,
   theme: Theme,
 ): void {
   let y = MARGIN;
@@ -61,6 +62,25 @@ function drawLabels(
       y += 21;
     }
   }
+  context.font = `13px ${FONT}`;
+  for (const named of names) {
+    drawName(context, named, y, width, theme);
+    y += 21;
+  }
+}
+
+function drawName(
+  context: CanvasRenderingContext2D,
+  { name, colour }: Named,
+  y: number,
+  width: number,
+  theme: Theme,
+): void {
+  const most = width - 2 * MARGIN - 30;
+  panel(context, MARGIN, y, Math.min(context.measureText(name).width, most) + 30, 20, theme);
+  context.fillText(name, MARGIN + 24, y + 10.5, most);
+  context.fillStyle = colour;
+  context.fillRect(MARGIN + 6, y + 4, BAR, BAR);
 }
 
 /** The words of a text in lines that are at most `width` wide where a word alone is not wider. */

@@ -1,9 +1,11 @@
 import * as THREE from 'three';
 import { stressAt } from '../model/between';
 import type { LoadedRun } from '../model/run';
+import { groupOf } from './colours';
 import { pascals } from './legend';
 import type { Sheet } from './sheet';
 import type { Showing } from './part';
+import { stressShown } from './settings';
 
 /** A point of the drawn cloth. */
 export interface Hit {
@@ -53,10 +55,16 @@ export function pointNear(
   return nearest < 0 ? null : nearest;
 }
 
-/** "piece 7: total stress 120 kPa (8.1 σₒ)": the stress of the node. */
+/** As everywhere counted from 1; with its group where there are several. */
+function pieceName({ index: { cloth } }: LoadedRun, piece: number): string {
+  const group = cloth && cloth.groups.length > 1 ? cloth.groups[groupOf(cloth, piece)]?.name : '';
+  return group ? `piece ${piece + 1} (${group})` : `piece ${piece + 1}`;
+}
+
+/** "piece 7 (towels): total stress 120 kPa (8.1 σₒ)": the stress of the node. */
 export function hitText(run: LoadedRun, { piece, node }: Hit, showing: Showing): string {
-  const name = `piece ${piece}`;
-  const kind = showing.settings.colour === 'piece' ? 'total' : showing.settings.colour;
+  const name = pieceName(run, piece);
+  const kind = stressShown(showing.settings.colour) ?? 'total';
   if (!run.motion?.stress[kind]) return name;
   const all = new Float32Array(run.motion.nodes);
   stressAt(run.motion, kind, showing.moment, all);

@@ -1,7 +1,7 @@
 import { quantityOf, type Field, type FieldQuantity } from '../model/field';
 import type { Moment } from '../model/moment';
 import type { LoadedRun, StressKind } from '../model/run';
-import type { Settings } from './settings';
+import { stressShown, type RangeChoice, type Settings } from './settings';
 
 /** Ends of the colours, the same for all views. */
 export interface Ranges {
@@ -19,16 +19,16 @@ export class RangeFinder {
   constructor(readonly runs: readonly LoadedRun[]) {}
 
   find(settings: Readonly<Settings>, moments: readonly Moment[]): Ranges {
+    const kind = stressShown(settings.colour);
     return {
-      stress: settings.colour === 'piece' ? 0 : this.#stress(settings, moments),
+      stress: kind ? this.#stress(kind, settings.range, moments) : 0,
       field: this.#keep(`field ${settings.quantity}`, (run) =>
         run.field ? mostOfField(run.field, settings.quantity) : 0,
       ),
     };
   }
 
-  #stress({ colour, range }: Readonly<Settings>, moments: readonly Moment[]): number {
-    const kind = colour as StressKind;
+  #stress(kind: StressKind, range: RangeChoice, moments: readonly Moment[]): number {
     if (range === 'frame')
       return Math.max(...this.runs.map((run, i) => largestOfFrame(run, kind, moments[i]!)));
     return this.#keep(`${range} ${kind}`, (run) =>

@@ -2,7 +2,11 @@ import type { FieldQuantity } from '../model/field';
 import { quantitiesOf, wordsFor } from '../model/field';
 import type { LoadedRun, StressKind } from '../model/run';
 
-export type ClothColour = 'piece' | StressKind;
+export type ClothColour = 'piece' | 'group' | StressKind;
+/** The stress that colours show; null where they tell pieces or groups apart. */
+export function stressShown(colour: ClothColour): StressKind | null {
+  return colour === 'piece' || colour === 'group' ? null : colour;
+}
 /** Upper end of the stress colours: 98 % of the run's values, the run's largest, the frame's. */
 export type RangeChoice = 'most' | 'run' | 'frame';
 export type SliceChoice = 'off' | 'vertical' | 'horizontal' | 'both';
@@ -36,9 +40,10 @@ export function choicesFor(runs: readonly LoadedRun[]): Choices {
   const kinds = stressKinds(runs);
   const fields = runs.flatMap((run) => (run.field ? [quantitiesOf(run.field)] : []));
   const period = commonPeriod(runs);
+  const grouped = runs.some(({ index: { cloth } }) => (cloth?.groups.length ?? 0) > 1);
   return {
     plane: runs.every((run) => run.index.dimension === 2),
-    colours: ['piece', ...kinds],
+    colours: ['piece', ...(grouped ? ['group'] : []), ...kinds],
     quantities: (fields[0] ?? []).filter((one) => fields.every((all) => all.includes(one))),
     words: wordsOf(runs),
     trails: period > 0 ? [0, period / 2, period, 2 * period] : roundTrails(runs),

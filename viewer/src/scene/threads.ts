@@ -1,10 +1,11 @@
 import * as THREE from 'three';
 import { positionsAt, stressAt } from '../model/between';
 import type { LoadedRun } from '../model/run';
-import { mapOffset, pieceColour } from './colours';
+import { colourOf, mapOffset } from './colours';
 import { linear } from './linear';
 import { buildLines, type Lines } from './lines';
 import type { ClothPart, Showing } from './part';
+import { stressShown } from './settings';
 import { Sheet } from './sheet';
 import { partsFor } from './spline';
 
@@ -60,15 +61,17 @@ function threadColours(run: LoadedRun, sheets: readonly Sheet[], points: number)
   const stress = new Float32Array(run.motion!.nodes);
   const values = new Float32Array(points);
   return ({ settings, moment, ranges, theme }: Showing): Float32Array => {
-    if (settings.colour === 'piece') {
+    const kind = stressShown(settings.colour);
+    if (!kind) {
+      const grouped = settings.colour === 'group';
       sheets.forEach((sheet, piece) => {
-        const { r, g, b } = new THREE.Color(pieceColour(piece));
+        const { r, g, b } = new THREE.Color(colourOf(run.index.cloth!, piece, grouped));
         for (let i = sheet.point; i < sheet.point + sheet.points; i++)
           colours.set([r, g, b], 3 * i);
       });
       return colours;
     }
-    stressAt(run.motion!, settings.colour, moment, stress);
+    stressAt(run.motion!, kind, moment, stress);
     for (const sheet of sheets) sheet.spread(stress, values);
     for (let i = 0; i < points; i++) {
       const offset = mapOffset(values[i]!, 0, ranges.stress);

@@ -2,7 +2,7 @@ import * as THREE from 'three';
 import { frameAt, momentAt } from '../model/moment';
 import { centreAt } from '../model/between';
 import type { LoadedRun, Motion } from '../model/run';
-import { channels, pieceColour } from './colours';
+import { channels, colourOf } from './colours';
 import { linear } from './linear';
 import { buildLines, type Lines } from './lines';
 import type { Part, Showing } from './part';
@@ -69,7 +69,8 @@ function writeTrails(
   const background = new THREE.Color(theme.background).toArray();
   let segment = 0;
   for (let piece = 0; piece < motion.pieces.length; piece++) {
-    const colour = channels(pieceColour(piece)).map((level) => linear[level]!);
+    const hue = colourOf(run.index.cloth!, piece, settings.colour === 'group');
+    const colour = channels(hue).map((level) => linear[level]!);
     for (let i = 0; i + 1 < times.length; i++, segment++)
       for (let end = 0; end < 2; end++) {
         const at = 6 * segment + 3 * end;

@@ -5,7 +5,7 @@ import type { LoadedRun } from '../model/run';
 import { buildEye, type Eye } from './camera';
 import { noticeFor, timeShown, timeText } from './caption';
 import { buildCloth } from './cloth';
-import { legendsOf } from './legend';
+import { legendsOf, namesOf } from './legend';
 import { lightUp } from './light';
 import { drawCaption, type Caption } from './overlay';
 import type { ClothPart, Part, Showing } from './part';
@@ -154,6 +154,7 @@ export class View {
       title: this.named ? index.name : '',
       time: timeText(this.timeAt(time, settings), index.scales.period, decimals),
       notice: lost ? LOST : noticeFor(this.run, time, moment, settings),
+      names: namesOf(this.run, settings),
       legends: legendsOf(this.run, settings, ranges, theme),
     };
   }

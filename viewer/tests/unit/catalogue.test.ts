@@ -83,7 +83,7 @@ function index(change: Partial<RunIndex> = {}): RunIndex {
     box: zero,
     free_surface: false,
     solids: [],
-    cloth: { pieces: [], nodes: 0 },
+    cloth: { pieces: [], groups: [], nodes: 0 },
     frames: { ...frames, span: zero },
     ...change,
   };

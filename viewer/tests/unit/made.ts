@@ -25,7 +25,11 @@ export function madeIndex(change: Partial<RunIndex> = {}): RunIndex {
     box: { lower: [0, 0, 0], upper: [1, 1, 1] },
     free_surface: false,
     solids: [],
-    cloth: { nodes: 4, pieces: [{ first: 0, nr: 2, ns: 2, closed: [false, false] }] },
+    cloth: {
+      nodes: 4,
+      pieces: [{ first: 0, nr: 2, ns: 2, closed: [false, false] }],
+      groups: [{ name: 'cloth', pieces: 1 }],
+    },
     frames: {
       times: [0, 1, 2],
       angles: { agitator: [0, 1, -1] },

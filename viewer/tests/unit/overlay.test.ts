@@ -25,7 +25,13 @@ function noting(): { texts: Text[]; context: CanvasRenderingContext2D } {
 
 function written(width: number, title: string, legends: Legend[]): Text[] {
   const { texts, context } = noting();
-  drawCaption(context, width, 500, { title, time: 't = 0 s', notice: '', legends }, LIGHT);
+  drawCaption(
+    context,
+    width,
+    500,
+    { title, time: 't = 0 s', notice: '', names: [], legends },
+    LIGHT,
+  );
   return texts;
 }
 
@@ -46,6 +52,15 @@ const scaled: Legend = {
 };
 
 describe('captions', () => {
+  it('name what colours stand for, one below the other', () => {
+    const { texts, context } = noting();
+    const names = ['towels', 'shirts'].map((name) => ({ name, colour: '#4477aa' }));
+    const caption = { title: '', time: 't = 0 s', notice: '', names, legends: [] };
+    drawCaption(context, 800, 500, caption, LIGHT);
+    expect(texts.map(({ text }) => text)).toEqual(['t = 0 s', 'towels', 'shirts']);
+    expect(texts[2]!.y - texts[1]!.y).toBe(21);
+  });
+
   it('keep the lines of a legend apart', () => {
     for (const legend of [signed, scaled]) {
       const texts = written(800, '', [legend]).filter(({ x }) => x > 400);

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { channels, mapOffset, pieceColour, VIRIDIS } from '../../src/scene/colours';
-import { legendsOf, ticks, tickText } from '../../src/scene/legend';
+import { channels, colourOf, mapOffset, pieceColour, VIRIDIS } from '../../src/scene/colours';
+import { legendsOf, namesOf, ticks, tickText } from '../../src/scene/legend';
 import { mostOfStress, RangeFinder } from '../../src/scene/ranges';
 import { choicesFor, initialSettings } from '../../src/scene/settings';
 import { LIGHT } from '../../src/scene/theme';
@@ -72,6 +72,37 @@ describe('ranges', () => {
     expect(legend!.scaled!.factor * 40).toBeCloseTo(4, 9);
     const [large] = legendsOf(run, settings, { stress: 4e5, field: 0 }, LIGHT);
     expect(large).toMatchObject({ unit: 'kPa', high: 400 });
+  });
+});
+
+describe('colours of groups', () => {
+  const piece = { first: 0, nr: 2, ns: 2, closed: [false, false] as [boolean, boolean] };
+  const cloth = {
+    nodes: 12,
+    pieces: [piece, { ...piece, first: 4 }, { ...piece, first: 8 }],
+    groups: [
+      { name: 'towels', pieces: 2 },
+      { name: 'shirts', pieces: 1 },
+    ],
+  };
+  const run = madeRun({ motion: madeMotion() });
+  const settings = initialSettings(choicesFor([run]));
+  const grouped = madeRun({ ...run, index: madeIndex({ cloth }) });
+
+  it('can be chosen where there are several', () => {
+    expect(choicesFor([grouped]).colours).toContain('group');
+    expect(choicesFor([run]).colours).not.toContain('group');
+  });
+
+  it('are named, and show no stress', () => {
+    const chosen = { ...settings, colour: 'group' };
+    const names = namesOf(grouped, chosen);
+    expect(names.map(({ name }) => name)).toEqual(['towels', 'shirts']);
+    expect(names[1]!.colour).toBe(colourOf(cloth, 2, true));
+    expect(colourOf(cloth, 1, true)).toBe(pieceColour(0));
+    expect(colourOf(cloth, 1, false)).toBe(pieceColour(1));
+    expect(legendsOf(grouped, chosen, { stress: 0, field: 0 }, LIGHT)).toEqual([]);
+    expect(namesOf(grouped, settings)).toEqual([]);
   });
 });
 
