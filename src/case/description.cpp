@@ -58,7 +58,8 @@ std::string side_text(const SideCase& side, int dimension) {
 std::string cloth_text(const ClothCase& cloth, const Case& whole) {
   const int directions = whole.dimension - 1;
   const double lateral = whole.domain.size.x() / whole.domain.cells[0];
-  return fmt::format("{} {} of {} m, {} nodes, {:.3g} lateral cells apart", cloth.count,
+  const std::string name = whole.cloth.size() > 1 ? cloth.name + ": " : "";
+  return fmt::format("{}{} {} of {} m, {} nodes, {:.3g} lateral cells apart", name, cloth.count,
                      cloth.count == 1 ? "piece" : "pieces", product(cloth.size, directions),
                      product(cloth_nodes(cloth, whole), directions),
                      cloth_spacing(cloth, whole)[0] / lateral);
@@ -73,6 +74,16 @@ std::string time_text(const Case& whole) {
     text += fmt::format(", steps {} {:.4g} s: {:.0f} {}", time.fixed ? "of" : "up to", time.step,
                         time.end / time.step, time.fixed ? "steps" : "or more");
   if (!time.fixed) text += fmt::format(", CFL up to {:.3g}", time.cfl);
+  return text;
+}
+
+std::string settle_text(const Case& whole) {
+  const SettleCase& settle = whole.settle;
+  std::string text = fmt::format("for up to {:.6g} s before that, under {:.4g} m/s^2", settle.time,
+                                 settle.gravity.norm());
+  if (whole.time.step > 0)
+    text += fmt::format(": up to about {:.0f} steps that no forecast counts",
+                        settle.time / whole.time.step);
   return text;
 }
 
@@ -122,6 +133,7 @@ std::vector<Fact> describe(const Case& whole) {
     facts.push_back({"solid", fmt::format("{}: {}", solid.name, drive_text(solid.drive))});
   for (const ClothCase& cloth : whole.cloth) facts.push_back({"cloth", cloth_text(cloth, whole)});
   facts.push_back({"time", time_text(whole)});
+  if (whole.settle.time > 0) facts.push_back({"settles", settle_text(whole)});
   facts.push_back({"output", output_text(whole.output)});
   return facts;
 }

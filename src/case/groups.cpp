@@ -69,7 +69,7 @@ std::vector<Group> groups(const Case& whole) {
   const std::size_t kinds = whole.cloth.empty() ? 0 : all_alike(whole) ? 1 : whole.cloth.size();
   for (std::size_t i = 0; i < kinds; ++i)
     for (Group group : groups_of_cloth(whole.cloth[i], whole)) {
-      if (kinds > 1) group.name += fmt::format(" of cloth {}", i + 1);
+      if (kinds > 1) group.name += " of " + whole.cloth[i].name;
       result.push_back(std::move(group));
     }
   return result;

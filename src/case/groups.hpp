@@ -24,7 +24,7 @@ struct Group {
 };
 
 /// Groups of Eqs. (18) and (19), and the Reynolds number of a cell. Those of cloth are given once
-/// where all cloth of the case has them alike, else for every group: "Te of cloth 2". None without
+/// where all cloth of the case has them alike, else for every group: "Te of towels". None without
 /// scales.
 std::vector<Group> groups(const Case& whole);
 

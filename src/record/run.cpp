@@ -119,11 +119,18 @@ class Run {
       return parallel_.max(stop_requested()) == 0;
     });
     progress.finish();
-    tell(settled.stopped
-             ? "stopped while the cloth settled, before t = 0; there is nothing to go on from"
-             : fmt::format("the cloth has settled in {:.3g} s, to an rms speed of {:.2g} m/s",
-                           settled.time, settled.speed));
+    tell(settled_text(settled));
     return settled;
+  }
+
+  static std::string settled_text(const Settled<D>& settled) {
+    if (settled.stopped)
+      return "stopped while the cloth settled, before t = 0; there is nothing to go on from";
+    if (settled.at_rest) return fmt::format("the cloth has settled in {:.3g} s", settled.time);
+    return fmt::format(
+        "after {:.3g} s of settling the cloth still moves at {:.2g} m/s (rms); the run begins with "
+        "it as it lies. A longer settle.time or a larger settle.gravity lets it come to rest",
+        settled.time, settled.speed);
   }
 
   void begin() {

@@ -42,9 +42,9 @@ Settled<D> settle(const Case& whole, const Parallel& parallel,
     simulation.step(still.time.end);
     settled.speed = rms_speed(simulation.cloth());
     fastest = std::max(fastest, settled.speed);
+    settled.at_rest = settled.speed <= at_rest_below * fastest;
     settled.stopped = !watch(simulation);
-  } while (!settled.stopped && settled.speed > at_rest_below * fastest &&
-           simulation.time() < (1 - 1e-9) * still.time.end);
+  } while (!settled.stopped && !settled.at_rest && simulation.time() < (1 - 1e-9) * still.time.end);
   settled.time = simulation.time();
   settled.places = simulation.cloth().position;
   return settled;

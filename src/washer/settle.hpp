@@ -16,6 +16,7 @@ struct Settled {
   std::vector<Vec<D>> places;  ///< of the nodes [m]
   double time = 0;             ///< that it took [s]
   double speed = 0;            ///< of the nodes at the end, rms [m/s]
+  bool at_rest = false;        ///< it has as good as none
   bool stopped = false;        ///< it was asked to stop; the places then mean nothing
 };
 

@@ -43,12 +43,13 @@ TEST(Groups, AsThePaperDefinesThem) {
   EXPECT_DOUBLE_EQ(value(found, "Re_h"), 10 * 6 * 0.75 / 4.0);
 }
 
-TEST(Groups, OfDifferentClothAreNumbered) {
+TEST(Groups, OfDifferentClothAreNamed) {
   Case whole = simple();
   whole.cloth.push_back(whole.cloth[0]);
+  whole.cloth[1].name = "towels";
   EXPECT_DOUBLE_EQ(value(groups(whole), "Te"), 1);
   whole.cloth[1].material.stretch *= 2;
-  EXPECT_DOUBLE_EQ(value(groups(whole), "Te of cloth 2"), 2);
+  EXPECT_DOUBLE_EQ(value(groups(whole), "Te of towels"), 2);
 }
 
 TEST(Groups, NoneWithoutASpeed) {

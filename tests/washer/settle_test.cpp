@@ -71,6 +71,16 @@ TEST(Settle, DroppedClothLiesOnTheFloor) {
   EXPECT_EQ(simulation.last().kinetic, 0);
 }
 
+/// In the end a single piece rests, before the time is over.
+TEST(Settle, EndsWhenTheClothRests) {
+  Case whole = dropped();
+  whole.cloth[0].count = 1;
+  whole.settle.time = 60;
+  const auto settled = settle<2>(whole, Parallel(), go_on);
+  EXPECT_TRUE(settled.at_rest);
+  EXPECT_LT(settled.time, 59);
+}
+
 TEST(Settle, EndsWhenAskedTo) {
   int steps = 0;
   const auto settled = settle<2>(dropped(), Parallel(), [&](const Simulation<2>& simulation) {
