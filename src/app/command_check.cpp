@@ -77,12 +77,13 @@ void print_forecast(const Forecast& forecast, int ranks) {
 /// What the launching process has printed already its ranks do not.
 constexpr const char* described_mark = "WASHTUB_DESCRIBED";
 
-void print_case(const Case& whole) {
+void print_case(const Case& whole, const std::vector<std::string>& more) {
   print_line("case", fmt::format("{} ({})", whole.title.empty() ? "untitled" : whole.title,
                                  whole.dimension == 3 ? "3-D" : "2-D"));
   for (const Fact& fact : describe(whole)) print_line(fact.name, fact.value);
   print_groups(whole);
-  for (const std::string& note : whole.notes) print_line("note", note);
+  for (const auto* notes : {&whole.notes, &more})
+    for (const std::string& note : *notes) print_line("note", note);
   for (const std::string& doubt : doubts(whole)) print_line("warning", doubt);
 }
 
@@ -92,8 +93,7 @@ int begin_run(const CheckArguments& arguments) {
   const Parallel parallel;
   const Case whole = read_case(arguments.input.path, arguments.input.settings);
   if (parallel.root() && !std::getenv(described_mark)) {
-    check_build(whole);
-    print_case(whole);
+    print_case(whole, check_build(whole));
   }
   const Forecast forecast = foresee(whole, parallel);
   if (parallel.root()) print_forecast(forecast, parallel.size());
@@ -105,10 +105,10 @@ int begin_run(const CheckArguments& arguments) {
 int command_check(const CheckArguments& arguments) {
   if (inside_mpi()) return begin_run(arguments);
   const Case whole = read_case(arguments.input.path, arguments.input.settings);
-  check_build(whole);
+  const std::vector<std::string> notes = check_build(whole);
   const RankChoice choice =
       arguments.forecast ? choose_ranks(arguments.ranks, whole) : RankChoice();
-  print_case(whole);
+  print_case(whole, notes);
   if (!arguments.forecast) return 0;
   if (!choice.note.empty()) print_line("note", choice.note);
   std::fflush(stdout);

@@ -131,7 +131,7 @@ int command_run(RunArguments arguments) {
   RunOptions options{arguments.directory, arguments.force, arguments.all, program_name, {}, {}, {}};
   if (inside_mpi()) return simulate(arguments, options);
   const Case whole = read_case(arguments.input.path, arguments.input.settings);
-  check_build(whole);
+  for (const std::string& note : check_build(whole)) fmt::print(stderr, "note: {}\n", note);
   const RankChoice choice = choose_ranks(arguments.ranks, whole);
   const DirectoryLock lock = prepare_start(arguments, whole, options);
   if (!choice.note.empty()) fmt::print(stderr, "note: {}\n", choice.note);

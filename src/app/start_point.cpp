@@ -170,7 +170,7 @@ namespace {
 /// results in the new one's directory are gone.
 std::string developed_start(const std::string& from, const std::string& directory) {
   const std::string path = fs::is_directory(from) ? newest_of(from) : from;
-  const std::string relative = fs::relative(path, directory).string();
+  const std::string relative = fs::relative(fs::absolute(path), fs::absolute(directory)).string();
   if (!relative.starts_with("..") && fs::exists(path))
     throw InputError(
         fmt::format("--from {}: lies in {}, whose results would be overwritten; name "

@@ -101,7 +101,8 @@ Table<ClothCase> cloth_table() {
   table.key("name", &ClothCase::name, label(), "of the group, in statistics, curves and colours")
       .fallback("`cloth`, of several groups `cloth 1`, `cloth 2` ...")
       .key("fabric", &ClothCase::fabric, one_of(fabric_names()),
-           "gives what the table does not: see Fabrics below")
+           "gives what neither the table nor `kes` or `fast` do, in this order (the stretch keys "
+           "together): see Fabrics below")
       .omitted([](const ClothCase& cloth, int) { return cloth.fabric.empty(); })
       .key("count", &ClothCase::count, integer(between(0, 100000)), "number of pieces")
       .key("seed", &ClothCase::seed, seed(), "of the random numbers of the start")

@@ -26,11 +26,12 @@ double water_volume(const Case& whole) {
 double default_pressure(const Case& whole, double range) {
   const double speed = whole.scale.speed * whole.scale.length;
   const double creep = whole.fluid.viscosity / (whole.fluid.density * range);
+  const double settling = whole.settle.time > 0 ? whole.settle.gravity.norm() : 0;
   double heaviest = 0;
   for (const ClothCase& cloth : whole.cloth)
     heaviest = std::max(heaviest, cloth.material.excess_mass);
   return std::max({0.25 * whole.fluid.density * speed * speed,
-                   10 * heaviest * whole.fluid.gravity.norm(),
+                   10 * heaviest * std::max(whole.fluid.gravity.norm(), settling),
                    whole.fluid.density * creep * creep});
 }
 
@@ -55,7 +56,7 @@ Table<ContactCase> contact_table() {
            "scale P of the repulsion P (1 - d/range)^2 range/d")
       .fallback(
           "a quarter of density times the square of the fastest speed, or ten times the "
-          "weight of the heaviest cloth")
+          "weight of the heaviest cloth, in settling too")
       .omitted(unused)
       .key("gap", &ContactCase::gap, quantity(measure::length, above(0)),
            "least distance that sheets keep")

@@ -79,8 +79,10 @@ std::string time_text(const Case& whole) {
 
 std::string settle_text(const Case& whole) {
   const SettleCase& settle = whole.settle;
-  std::string text = fmt::format("for up to {:.6g} s before that, under {:.4g} m/s^2", settle.time,
-                                 settle.gravity.norm());
+  const Vec<3>& g = settle.gravity;
+  std::string text =
+      fmt::format("for up to {:.6g} s before that, under ({:.4g}, {:.4g}{}) m/s^2", settle.time,
+                  g[0], g[1], whole.dimension == 3 ? fmt::format(", {:.4g}", g[2]) : "");
   if (whole.time.step > 0)
     text += fmt::format(": up to about {:.0f} steps that no forecast counts",
                         settle.time / whole.time.step);

@@ -57,8 +57,8 @@ void add_fast(Values& values, const Node& node, int dimension) {
 Table<KesReadings> kes_table() {
   Table<KesReadings> table(
       "Readings of Kawabata's instruments (KES-F), means of warp and weft in their usual units, "
-      "from which bending, torsion, shear and stretch (two straight lines for the tensile curve, "
-      "which meet at a fifth of EMT) follow where the file does not give them.");
+      "from which bending, torsion, shear and stretch (two chords of N = 490 N/m (e/EMT)^(2/LT - "
+      "1), which meet at a fifth of EMT) follow where the file does not give them.");
   table.key("B", &KesReadings::B, number(between(1e-3, 10)), "bending rigidity [gf cm^2/cm]")
       .required()
       .key("G", &KesReadings::G, number(between(1e-2, 20)), "shear stiffness [gf/(cm deg)]")

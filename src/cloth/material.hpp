@@ -23,9 +23,11 @@ struct Material {
   double stretch_beyond = 0;  ///< K_e of strains beyond `knee` [N/m]
   double knee = std::numeric_limits<double>::infinity();
 
-  /// The strain at which K_e alone would pull as hard as the cloth does at `e`.
+  /// The strain of Eq. (12) at which K_e alone would have the stress that the cloth has at `e`. The
+  /// knee is one of Green's strain e/(1 - 2 e).
   double effective(double e) const {
-    return e > knee ? e + (stretch_beyond / stretch - 1) * (e - knee) : e;
+    const double green = e / (1 - 2 * e);
+    return green > knee ? e + (stretch_beyond / stretch - 1) * (green - knee) * (1 - 2 * e) : e;
   }
 };
 

@@ -49,13 +49,16 @@ int wrapped(const Sheet<D>& sheet, int axis, int i) {
   return sheet.closed[axis] ? (i + sheet.extent[axis]) % sheet.extent[axis] : i;
 }
 
-/// Mean strain of the edges at a node, as Material::effective has it.
+/// Mean strain of the edges at a node.
 struct EdgeMean {
   double size = 0;                      ///< of the magnitudes
+  double own = 0;                       ///< the same of strains as Material::effective has them
   double tension = 0, compression = 0;  ///< of their positive and negative parts
-  void add(double e, int edges) {
+  void add(double e, const Material& m, int edges) {
+    const double effective = m.effective(e);
     size += std::fabs(e) / edges;
-    (e > 0 ? tension : compression) += std::fabs(e) / edges;
+    own += std::fabs(effective) / edges;
+    (e > 0 ? tension : compression) += std::fabs(effective) / edges;
   }
 };
 
@@ -69,8 +72,7 @@ class PlateNode {
   EdgeMean strain(int axis) const {
     const auto [first, last] = around(sheet_, axis, at_[axis]);
     EdgeMean mean;
-    for (int k = first; k < last; ++k)
-      mean.add(sheet_.material.effective(edge(axis, k)), last - first);
+    for (int k = first; k < last; ++k) mean.add(edge(axis, k), sheet_.material, last - first);
     return mean;
   }
 
@@ -136,13 +138,12 @@ NodeStress combine(const Components& membrane, const Components& bending) {
 NodeStress stress(const PlateNode& node, const Material& m) {
   const double q = m.thickness, nu = m.poisson, surface = 6 / (q * q);
   const EdgeMean r = node.strain(0), s = node.strain(1);
-  const double err = r.size, ess = s.size;
   const double kr = node.curvature(0), ks = node.curvature(1);
   const auto [shear, twist] = node.shear_and_twist();
   const double membrane = m.stretch / q, bending = surface * m.bending;
-  NodeStress out =
-      combine({membrane * (err + nu * ess), membrane * (ess + nu * err), m.shear / q * shear},
-              {bending * (kr + nu * ks), bending * (ks + nu * kr), surface * m.torsion * twist});
+  NodeStress out = combine(
+      {membrane * (r.own + nu * s.size), membrane * (s.own + nu * r.size), m.shear / q * shear},
+      {bending * (kr + nu * ks), bending * (ks + nu * kr), surface * m.torsion * twist});
   out.tension = 0.5 * membrane * (r.tension + s.tension);
   out.compression = 0.5 * membrane * (r.compression + s.compression);
   return out;
@@ -153,7 +154,7 @@ EdgeMean strain(const Sheet<2>& thread, const Strains& strains, int i) {
   const auto [first, last] = around(thread, 1, i);
   EdgeMean mean;
   for (int k = first; k < last; ++k)
-    mean.add(thread.material.effective(strains.along[1][wrapped(thread, 1, k)]), last - first);
+    mean.add(strains.along[1][wrapped(thread, 1, k)], thread.material, last - first);
   return mean;
 }
 
@@ -187,7 +188,7 @@ void find_stress(const Sheet<2>& thread, std::span<const Vec<2>> X, const Strain
   for (int i = 0; i < thread.nodes(); ++i) {
     NodeStress& o = out[i];
     const EdgeMean e = strain(thread, strains, i);
-    o.membrane = membrane * e.size;
+    o.membrane = membrane * e.own;
     o.tension = membrane * e.tension;
     o.compression = membrane * e.compression;
     o.bending = 6 * m.bending * curvature(thread, X, i) / (q * q);

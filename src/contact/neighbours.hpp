@@ -12,8 +12,9 @@ namespace washtub {
 struct Neighbours {
   static constexpr double none = std::numeric_limits<double>::infinity();
 
-  double gap = none;      ///< the smallest distance of two pieces, where it is within reach [m]
-  double own_gap = none;  ///< of two parts of a piece that are 1.5 times as far apart at rest [m]
+  double gap = none;  ///< the smallest distance of two pieces, where it is within reach [m]
+  /// Of two parts of a piece whose distance at rest is more than 1.5 times the reach [m].
+  double own_gap = none;
   std::vector<std::pair<int, int>> nodes;  ///< of different pieces within reach, in order
 };
 

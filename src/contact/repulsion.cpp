@@ -246,30 +246,33 @@ void Repulsion<D>::measure_faces() {
   }
 }
 
-/// Pushes a sample off what is nearest to it on either side. What turns out to be nearest comes
-/// first the next time.
+/// Pushes a sample off what is nearest to it on either side. What was nearest comes first the next
+/// time.
 template <int D>
 void Repulsion<D>::push_off(std::size_t sample, double dt) {
   const Sample& s = samples_[sample];
   Feet feet{no_foot(set_.range), no_foot(set_.range)};
   const Vec<D> x = at(s, x_);
   const std::size_t first = first_[sample];
+  std::array<std::size_t, 2> place{first, first};  // of the nearest in the list
   for (std::size_t k = first; k < first_[sample + 1]; ++k) {
     Near& near = near_[k];
     if (!may_be_nearest(near, s, feet)) continue;
     look(s, x, near, feet);
-    if (feet[0].face == near.face || feet[1].face == near.face) std::swap(near, near_[first]);
+    for (std::size_t side = 0; side < 2; ++side)
+      if (feet[side].face == near.face) place[side] = k;
   }
+  std::swap(near_[first], near_[place[0]]);
+  if (place[1] == first) place[1] = place[0];  // where it has gone
+  if (feet[1].face >= 0 && feet[0].face >= 0) std::swap(near_[first + 1], near_[place[1]]);
   for (const Foot& foot : feet)
     if (foot.face >= 0) push(s, foot, dt);
 }
 
 /// Whether what is listed may not be all that matters now.
 template <int D>
-bool Repulsion<D>::is_outdated() {
-  if (where_.size() != x_.size()) return true;
-  travelled_ += farthest<D>(before_, x_);
-  return 2 * farthest<D>(where_, x_) > skin_;
+bool Repulsion<D>::is_outdated() const {
+  return where_.size() != x_.size() || 2 * farthest<D>(where_, x_) > skin_;
 }
 
 template <int D>
@@ -279,8 +282,9 @@ void Repulsion<D>::add(const ClothMoment<D>& now, std::vector<Vec<D>>& force) {
   v_.resize(x_.size());
   for (std::size_t i = 0; i < v_.size(); ++i) v_[i] = now.velocity[surface_.node[i]];
   measure_faces();
-  if (is_outdated()) list();
+  if (before_.size() == x_.size()) travelled_ += farthest<D>(before_, x_);
   before_ = x_;
+  if (is_outdated()) list();
   sum_.assign(force.size(), Vec<D>::Zero());
   for (std::size_t i = 0; i < samples_.size(); ++i)
     if (first_[i + 1] > first_[i]) push_off(i, now.dt);

@@ -39,13 +39,14 @@ class Repulsion : public NodalForce<D> {
     Weights weight;
     double area;  ///< [m^2]; in 2-D length [m]
   };
-  /// A face near a sample, and how it lay when it was last looked at. Both grow by what points and
-  /// the sample's face had moved then since the list was made, and hold less what they have now.
+  /// A face near a sample, as it lay when it was last looked at. Its distance is now at least
+  /// bound - loss(), and all of it still on the side of `aside` where |aside| > loss_aside().
   struct Near {
     int face;
-    float bound;  ///< it is no nearer [m]
-    float aside;  ///< from the plane of the sample's face: all of it is at least that far on the
-                  ///< first side, or below 0 on the second [m]; 0: on either
+    float bound;  ///< distance, plus loss() then [m]
+    float aside;  ///< least distance of its corners from the plane of the sample's face, plus
+                  ///< loss_aside() then: above 0 on the first side, below 0 on the second, 0 if
+                  ///< on both [m]
   };
   /// The nearest point of a piece.
   struct Foot {
@@ -59,7 +60,7 @@ class Repulsion : public NodalForce<D> {
 
   void add_samples(int face, int parts);
   bool mine(int face) const { return Share(parallel_).has(piece_[face]); }
-  bool is_outdated();
+  bool is_outdated() const;
   void list();
   void list_faces_near(int face, const BoxLists<D>& faces);
   void list_near(const Sample& s);
@@ -96,7 +97,7 @@ class Repulsion : public NodalForce<D> {
   std::vector<std::size_t> first_;  ///< of each sample, and the end of the last
   std::vector<Near> near_;
   double travelled_ = 0;        ///< bound of the way of any point since then [m]
-  double far_ = 0;              ///< bound of the distance of a listed face's corners [m]
+  double far_ = 0;              ///< corners of faces within the range are no farther away [m]
   std::vector<double> turned_;  ///< bound of the change of each face's normal since then
   std::vector<int> about_;      ///< faces near one face
 

@@ -1,9 +1,11 @@
 #include "contact/untangle.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "cloth/crossings.hpp"
+#include "cloth/face_normal.hpp"
 #include "cloth/surface.hpp"
 #include "contact/pair_list.hpp"
 
@@ -11,8 +13,9 @@ namespace washtub {
 namespace {
 
 constexpr int most_rounds = 1000;
-constexpr double stride = 0.02;  // of a piece's extent, that it moves in a round
-constexpr double margin = 1.05;  // of the gap
+constexpr double stride = 0.02;    // of a piece's extent, that it moves in a round
+constexpr double margin = 1.05;    // of the gap
+constexpr double touching = 1e-3;  // of the gap: the way between nearer pieces tells nothing
 
 /// Pairs of pieces that conflict, each with the direction in which the first one leaves.
 template <int D>
@@ -49,17 +52,57 @@ class Untangling {
     list.cover(x, x, margin * gap_);
     for (const Pair<D>& pair : list.pairs()) {
       const Vec<D> gap = nearest<D>(pair.split, pair.places(x)).gap;
-      if (gap.norm() >= margin * gap_) continue;
       const auto piece = [&](int point) { return surface_.piece[static_cast<std::size_t>(point)]; };
-      const std::array pieces{piece(pair.point.front()), piece(pair.point.back())};
-      const Vec<D> way = pieces[0] < pieces[1] ? gap : Vec<D>(-gap);
-      found.try_emplace({std::min(pieces[0], pieces[1]), std::max(pieces[0], pieces[1])}, way);
+      const int a = piece(pair.point.front()), b = piece(pair.point.back());
+      if (gap.norm() >= (a == b ? 1 : margin) * gap_) continue;
+      Vec<D>& way = found.try_emplace({std::min(a, b), std::max(a, b)}, gap).first->second;
+      if (gap.norm() <= way.norm()) way = a < b ? gap : Vec<D>(-gap);
     }
+    for (auto& [pieces, way] : found)
+      if (way.norm() < touching * gap_) way = way_out(pieces[0], pieces[1], x);
     for (const auto& pieces : find_crossings(cloth_, mesh_).pieces)
-      found[pieces] = centre(pieces[0]) - centre(pieces[1]);
+      found[pieces] = way_out(pieces[0], pieces[1], x);
     return found;
   }
 
+  /// The direction in which the first of two pieces has the shortest way until all of it is on one
+  /// side of the other: along the mean normal of either, or the line of their centres.
+  Vec<D> way_out(int a, int b, const std::vector<Vec<D>>& x) const {
+    Vec<D> between = centre(a) - centre(b);
+    between -= mesh_.periods_in(between);
+    Vec<D> best = Vec<D>::Unit(D - 1);
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const Vec<D>& direction : {mean_normal(a, x), mean_normal(b, x), between}) {
+      if (!(direction.norm() > 1e-9 * extent(a))) continue;
+      const Vec<D> n = direction.normalized();
+      const auto [low_a, high_a] = range(a, n);
+      const auto [low_b, high_b] = range(b, n);
+      const double along = between.dot(n) - (centre(a) - centre(b)).dot(n);
+      const double forth = high_b - low_a - along, back = high_a + along - low_b;
+      if (std::min(forth, back) >= shortest) continue;
+      shortest = std::min(forth, back);
+      best = forth <= back ? n : Vec<D>(-n);
+    }
+    return best;
+  }
+  /// Of the faces, weighed with their area.
+  Vec<D> mean_normal(int piece, const std::vector<Vec<D>>& x) const {
+    Vec<D> sum = Vec<D>::Zero();
+    const auto p = static_cast<std::size_t>(piece);
+    for (int f = surface_.first_face[p]; f < surface_.first_face[p + 1]; ++f)
+      sum += face_normal<D>(surface_.faces[static_cast<std::size_t>(f)], x);
+    return sum;
+  }
+  /// Where a piece lies along a direction, from and to [m].
+  std::array<double, 2> range(int piece, const Vec<D>& along) const {
+    std::array<double, 2> range{std::numeric_limits<double>::infinity(),
+                                -std::numeric_limits<double>::infinity()};
+    for (const Vec<D>& x : nodes(piece)) {
+      range[0] = std::min(range[0], x.dot(along));
+      range[1] = std::max(range[1], x.dot(along));
+    }
+    return range;
+  }
   Vec<D> centre(int piece) const {
     Vec<D> sum = Vec<D>::Zero();
     for (const Vec<D>& x : nodes(piece)) sum += x;
@@ -82,8 +125,7 @@ class Untangling {
   }
 
   /// Moves both pieces half of the way, or one of them all of it. False where neither may.
-  bool part(const std::array<int, 2>& pieces, Vec<D> way) {
-    if (way.norm() < 1e-9 * extent(pieces[0])) way = Vec<D>::Unit(D - 1);
+  bool part(const std::array<int, 2>& pieces, const Vec<D>& way) {
     const double step = std::max(gap_, stride * std::min(extent(pieces[0]), extent(pieces[1])));
     const Vec<D> whole = step * way.normalized();
     const bool first = may(pieces[0], 0.5 * whole), second = may(pieces[1], -0.5 * whole);

@@ -106,7 +106,9 @@ const std::vector<DeclaredColumn<Sample>> energy = {
     {{"energy residual", watt,
       "work of drives, sides and forces on cloth less the water's heat and the gain of energy "
       "since the row before: "
-      "what the scheme, and loss and friction of the cloth, take out of the motion"},
+      "what the scheme, loss of the cloth, and friction on solids and in held pairs take out of "
+      "the "
+      "motion"},
      [](const Sample& s) { return s.quality.residual; },
      numerics("Energy residual", "energy residual")},
 };

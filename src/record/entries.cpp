@@ -218,7 +218,8 @@ const std::vector<DeclaredEntry<RunSource>> quality = {
     {{"driving speed", metre_per_second, "of the fastest surface, side or inflow"},
      [](const RunSource& s) -> Json { return s.end.quality.worst.driving_speed; }},
     {{"work", joule,
-      "of drives and moving sides on water and cloth, and of weight, load and repulsion on cloth; "
+      "of drives and moving sides on water and cloth, and of weight, load, and repulsion with "
+      "its friction on cloth; "
       "where no water passes the sides"},
      [](const RunSource& s) { return of_balance(s, s.end.quality.balance.work); }},
     {{"gain of energy", joule, "kinetic of the water; elastic and kinetic of the cloth"},
@@ -226,8 +227,8 @@ const std::vector<DeclaredEntry<RunSource>> quality = {
     {{"heat", joule, "made by viscosity"},
      [](const RunSource& s) { return of_balance(s, s.end.quality.balance.heat); }},
     {{"energy residual", joule,
-      "work less gain and heat: what the scheme, and loss and friction of the cloth, take out of "
-      "the motion"},
+      "work less gain and heat: what the scheme, loss of the cloth, and friction on solids and in "
+      "held pairs take out of the motion"},
      [](const RunSource& s) { return of_balance(s, s.end.quality.balance.rest()); }},
     {{"energy residual over work or heat", pure_number, "whichever is larger"},
      [](const RunSource& s) { return of_balance(s, s.end.quality.balance.share()); }},
@@ -243,7 +244,7 @@ const std::vector<DeclaredEntry<RunSource>> quality = {
       "in a frame, where it is below 1.5 lateral cells; none if it never is"},
      [](const RunSource& s) { return if_finite(s.end.quality.gap); }},
     {{"smallest gap within a piece", metre,
-      "likewise, of two parts that are half as far again apart at rest"},
+      "likewise, of two parts that are more than 2.25 lateral cells apart along it"},
      [](const RunSource& s) { return if_finite(s.end.quality.own_gap); }},
     {{"still near a quarter of a cycle later", pure_number,
       "of the pairs of nodes of different pieces less than 1.5 lateral cells apart, over all "

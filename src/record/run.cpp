@@ -64,25 +64,17 @@ class Run {
         options_(options),
         log_(open_log(options, parallel_.root())),
         developed_(open_state(options.developed)),
+        progress_(whole.time.end, parallel_.root()),
         settled_(settle_first()),
         simulation_(whole, parallel_, developed_.get(), settled_.places),
         observer_(simulation_),
         output_(simulation_, observer_, options.directory),
         schedule_(whole),
         checkpoints_(options.directory, whole.checkpoint.keep),
-        clock_(whole.checkpoint),
-        progress_(whole.time.end, parallel_.root()) {
-    log_->info("{}", fmt::join(options.arguments, " "));
-    const BuildFacts& build = build_facts();
-    log_->info("commit {}, {} for {} ({}, {} bits wide), on {}", build.commit, build.compiler,
-               build.target, build.instructions, build.vector_width, processor());
-    for (const std::string& note : whole.notes) log_->info("note: {}", note);
-    if (parallel_.root())
-      for (const std::string& doubt : doubts(whole)) log_->info("warning: {}", doubt);
+        clock_(whole.checkpoint) {
     const auto& ranks = simulation_.grid().ranks();
     log_->info("{} ranks ({}), {} pieces of cloth, {} nodes", parallel_.size(),
                fmt::join(ranks, " x "), simulation_.cloth().pieces(), simulation_.cloth().nodes());
-    if (parallel_.root()) replace_file(options.directory + "/case.toml", whole.resolved);
   }
 
   int run() {
@@ -110,17 +102,49 @@ class Run {
   }
 
  private:
+  /// What a run is told, before anything is simulated.
+  void write_head() {
+    log_->info("{}", fmt::join(options_.arguments, " "));
+    const BuildFacts& build = build_facts();
+    log_->info("commit {}, {} for {} ({}, {} bits wide), on {}", build.commit, build.compiler,
+               build.target, build.instructions, build.vector_width, processor());
+    for (const std::string& note : case_.notes) log_->info("note: {}", note);
+    if (parallel_.root())
+      for (const std::string& doubt : doubts(case_)) log_->info("warning: {}", doubt);
+    if (parallel_.root()) replace_file(options_.directory + "/case.toml", case_.resolved);
+  }
+
   /// Before a run that starts at t = 0 with its own cloth, if the case asks for it.
   Settled<D> settle_first() {
-    if (!(case_.settle.time > 0) || developed_ || !options_.resumed.empty()) return {};
-    Progress progress(case_.settle.time, parallel_.root());
-    const auto settled = settle<D>(case_, parallel_, [&](const Simulation<D>& simulation) {
-      progress.show(simulation.time(), "settling  " + describe<D>(simulation.last()));
-      return parallel_.max(stop_requested()) == 0;
-    });
+    write_head();
+    if (!(case_.settle.time > 0) || case_.cloth.empty() || !options_.resumed.empty()) return {};
+    if (developed_) {
+      tell("the cloth starts as the other run left it: [settle] has no effect with --from");
+      return {};
+    }
+    const Progress progress(case_.settle.time, parallel_.root());
+    const Settled<D> settled = settle_with_care(progress);
     progress.finish();
     tell(settled_text(settled));
     return settled;
+  }
+
+  /// Where that fails, again with smaller steps.
+  Settled<D> settle_with_care(Progress progress) {
+    const auto watch = [&](const Simulation<D>& simulation) {
+      progress.show(simulation.time(), "settling  " + describe<D>(simulation.last()));
+      return parallel_.max(stop_requested()) == 0;
+    };
+    for (int left = tries;; --left) try {
+        return settle<D>(case_, parallel_, watch, std::pow(share, tries - left));
+      } catch (const RunError& error) {
+        if (left > 0) {
+          tell(fmt::format("{}. Trying again with half of the step", error.what()));
+          continue;
+        }
+        log_->error("{}", error.what());
+        throw;
+      }
   }
 
   static std::string settled_text(const Settled<D>& settled) {
@@ -319,14 +343,14 @@ class Run {
   Parallel parallel_;
   std::shared_ptr<spdlog::logger> log_;
   std::unique_ptr<StateReader> developed_;
-  Settled<D> settled_;
+  Progress progress_;
+  Settled<D> settled_;  ///< without places where the cloth has not settled
   Simulation<D> simulation_;
   Observer<D> observer_;
   Output<D> output_;
   Schedule schedule_;
   Checkpoints checkpoints_;
   CheckpointClock clock_;
-  Progress progress_;
   Snapshot row_;  ///< the state at the last row
   int tries_left_ = tries;
   CoreShare share_;

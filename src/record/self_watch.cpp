@@ -72,6 +72,7 @@ void SelfWatch<D>::look_at_cloth() {
 template <int D>
 void SelfWatch<D>::count_crossings() {
   quality_.crossings = find_crossings(simulation_.cloth(), simulation_.grid().mesh());
+  quality_.crossings.pieces.clear();  // which they are is not kept
   quality_.most_crossings = std::max(quality_.most_crossings, quality_.crossings.others);
   quality_.most_own_crossings = std::max(quality_.most_own_crossings, quality_.crossings.own);
 }

@@ -81,6 +81,7 @@ Json groups_index(const RunRecord& run, std::size_t pieces) {
   std::size_t told = 0;
   if (run.definition)
     for (const ClothCase& cloth : run.definition->cloth) {
+      if (cloth.count == 0) continue;
       groups.push_back({{"name", cloth.name}, {"pieces", cloth.count}});
       told += static_cast<std::size_t>(cloth.count);
     }

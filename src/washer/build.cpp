@@ -85,10 +85,9 @@ ContactSettings build_contact(const Case& whole) {
     finest = std::min(finest, whole.domain.size[d] / whole.domain.cells[d]);
   contact.range = given.range;
   contact.pressure = given.pressure;
-  // Layers that start much nearer to each other than the range part slowly; what has settled has
-  // parted before.
+  // Layers that start much nearer to each other than the range part slowly.
   const bool packed = std::any_of(whole.cloth.begin(), whole.cloth.end(), is_packed);
-  contact.rise = whole.settle.time > 0 ? 0 : (packed ? 1 : 0.1) * whole.scale.period;
+  contact.rise = (packed ? 1 : 0.1) * whole.scale.period;
   contact.gap = given.gap;
   contact.areal_mass = whole.fluid.density * finest * kernel_thickness(whole.coupling.kernel);
   for (const ClothCase& cloth : whole.cloth)
@@ -140,7 +139,7 @@ namespace {
 /// Moves pieces apart that start too near to each other. A piece may go where its nodes are half a
 /// cell away from all sides and solids.
 template <int D>
-void part_pieces(Cloth<D>& cloth, const Case& whole) {
+void part_pieces(Cloth<D>& cloth, const Case& whole, std::vector<std::string>* notes) {
   const ContactSettings contact = build_contact(whole);
   const Mesh<D> mesh = build_mesh<D>(whole);
   const auto solids = build_solids(whole, 0);
@@ -167,6 +166,16 @@ void part_pieces(Cloth<D>& cloth, const Case& whole) {
     }
     return false;
   });
+  if (!notes) return;
+  for (const auto& group : cloth.groups)
+    for (int p = 0; p < group.pieces; ++p) {
+      const auto node = static_cast<std::size_t>(group.node(p, 0));
+      if (const double way = (cloth.position[node] - start[node]).norm(); way > 0)
+        notes->push_back(
+            fmt::format("piece {} starts {:.3g} cm from where it was put "
+                        "(contact.untangle)",
+                        group.first_piece + p + 1, 100 * way));
+    }
 }
 
 /// Cloth that starts tangled stays tangled, since nothing passes through cloth.
@@ -188,16 +197,20 @@ void refuse_tangled(const Cloth<D>& cloth, const Case& whole) {
                         found->first == found->second ? "itself" : "each other", 1e3 * contact.gap)
           : fmt::format("{} by passing through {}", who,
                         found->first == found->second ? "itself" : "each other");
-  throw InputError(
-      fmt::format("cloth: {}; try another start of the cloth, such as a larger "
-                  "cloth.clearance or fewer pieces, {}or contact.scheme = \"none\"",
-                  how, whole.contact.untangle ? "" : "contact.untangle = true, "));
+  throw InputError(fmt::format(
+      "cloth: {}; try another start of the cloth, such as a larger "
+      "cloth.clearance or fewer pieces, {}",
+      how,
+      whole.contact.untangle
+          ? "since contact.untangle finds no place for them that pins, solids and sides "
+            "let them go to"
+          : "contact.untangle = true, or contact.scheme = \"none\""));
 }
 
 }  // namespace
 
 template <int D>
-Cloth<D> build_cloth(const Case& whole) {
+Cloth<D> build_cloth(const Case& whole, std::vector<std::string>* notes) {
   Cloth<D> cloth;
   std::vector<Patch> placed;
   for (const auto& group : whole.cloth) {
@@ -211,7 +224,8 @@ Cloth<D> build_cloth(const Case& whole) {
     cloth.add(build_sheet<D>(group, whole, patches.front()), where,
               held_nodes(group, cloth_nodes(group, whole)));
   }
-  if (whole.contact.untangle) part_pieces(cloth, whole);
+  if (whole.contact.untangle && whole.contact.scheme != ContactScheme::none)
+    part_pieces(cloth, whole, notes);
   refuse_tangled(cloth, whole);
   return cloth;
 }
@@ -219,25 +233,24 @@ Cloth<D> build_cloth(const Case& whole) {
 namespace {
 
 template <int D>
-void check(const Case& whole) {
+std::vector<std::string> check(const Case& whole) {
+  std::vector<std::string> notes;
   granularity(build_mesh<D>(whole));
-  build_cloth<D>(whole);
+  build_cloth<D>(whole, &notes);
+  return notes;
 }
 
 }  // namespace
 
-void check_build(const Case& whole) {
-  if (whole.dimension == 2)
-    check<2>(whole);
-  else
-    check<3>(whole);
+std::vector<std::string> check_build(const Case& whole) {
+  return whole.dimension == 2 ? check<2>(whole) : check<3>(whole);
 }
 
 template Mesh<2> build_mesh<2>(const Case&);
 template Mesh<3> build_mesh<3>(const Case&);
 template SidePairs<2> build_sides<2>(const Case&);
 template SidePairs<3> build_sides<3>(const Case&);
-template Cloth<2> build_cloth<2>(const Case&);
-template Cloth<3> build_cloth<3>(const Case&);
+template Cloth<2> build_cloth<2>(const Case&, std::vector<std::string>*);
+template Cloth<3> build_cloth<3>(const Case&, std::vector<std::string>*);
 
 }  // namespace washtub

@@ -187,6 +187,11 @@ class Placer {
     return cloth_.arrangement == Arrangement::sheet || cloth_.arrangement == Arrangement::ring;
   }
 
+  /// Whether a sheet or ring may start through others.
+  bool is_parted_later() const {
+    return is_single() && whole_.contact.untangle && whole_.contact.scheme != ContactScheme::none;
+  }
+
   std::optional<Piece> free_place() {
     hits_.clear();
     if (is_packed(cloth_)) packet_ = make_packet(cloth_, whole_, placed_.size());
@@ -219,10 +224,11 @@ class Placer {
     const Facets all = facets(patch);
     const std::string what = obstacle(all, ring ? all : free_part(patch), 0);
     if (!what.empty())
-      throw InputError(fmt::format(
-          "piece {}: the {} touches {}; try another cloth.{}", placed_.size() + 1,
-          ring ? "ring" : "sheet", what,
-          ring ? "centre or a smaller cloth.radius" : "origin or a smaller cloth.size"));
+      throw InputError(fmt::format("piece {}: the {} touches {}; try another cloth.{}",
+                                   placed_.size() + 1, ring ? "ring" : "sheet", what,
+                                   ring ? "centre or a smaller cloth.radius"
+                                        : "origin or a smaller cloth.size") +
+                       (what == "other pieces" ? ", or contact.untangle = true" : ""));
     return Piece{patch, all};
   }
 
@@ -243,8 +249,7 @@ class Placer {
   /// rest, and all of it out of moving ones; empty if nothing is.
   std::string obstacle(const Facets& piece, const Facets& free, double clearance) const {
     for (const Piece& other : placed_)
-      if (!(is_single() && whole_.contact.untangle) && near(other.facets, piece, clearance))
-        return "other pieces";
+      if (!is_parted_later() && near(other.facets, piece, clearance)) return "other pieces";
     for (const Rectangle& flat : piece.flat)
       if (std::string side = side_hit(flat, clearance + piece.slack); !side.empty()) return side;
     for (std::size_t i = 0; i < solids_.size(); ++i)

@@ -13,14 +13,17 @@ namespace washtub {
 template <int D>
 class Pull : public NodalForce<D> {
  public:
+  /// @throws InputError where a formula has no finite value at t = 0
   Pull(const Cloth<D>& cloth, const Case& whole);
   /// Whether a case has any.
   static bool any(const Case& whole);
 
+  /// @throws RunError where a formula has no finite value now
   void add(const ClothMoment<D>& now, std::vector<Vec<D>>& force) override;
   void state(Archive& archive) override { archive.value("time", time_); }
 
  private:
+  void add_forces(const std::vector<Vec<D>>& X, std::vector<Vec<D>>& force) const;
   struct Group {
     std::size_t first, last;  ///< nodes
     VectorField<D> field;     ///< [Pa]

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "base/error.hpp"
@@ -40,15 +41,18 @@ Simulation<D>::Simulation(const Case& whole, const Parallel& parallel, Archive* 
       impulses_(whole.solids.size()),
       moments_(whole.solids.size()),
       surface_momenta_(mapping_.solids().size()) {
+  if (!places.empty() && places.size() != cloth_.position.size())
+    throw std::logic_error("Simulation: needs a place for each node");
   if (!places.empty()) cloth_.position = places;
   start_water();
   if (developed) take_developed(*developed);
   courant_rate_ = start_rate();
   driving_speed_ = washtub::driving_speed<D>(grid_, mapping_, build_sides<D>(whole), last_.speed);
+  ContactSettings contact = build_contact(whole);
+  if (!places.empty()) contact.rise = 0;  // what has settled has parted
   if (cloth_.pieces() > 0)
     coupling_.emplace(flow_, cloth_, mapping_, whole.coupling.kernel, build_sides<D>(whole),
-                      whole.coupling.scheme, whole.coupling.marker_spacing, &clock_,
-                      build_contact(whole));
+                      whole.coupling.scheme, whole.coupling.marker_spacing, &clock_, contact);
   if (coupling_) add_forces();
   find_surface_momenta();
 }
@@ -142,14 +146,18 @@ template <int D>
 double Simulation<D>::start_step() const {
   const double h = grid_.mesh().h.minCoeff(), water = 2 * h * case_.fluid.density;
   double fastest = 0;
+  std::vector<Vec<D>> pull(cloth_.position.size(), Vec<D>::Zero());
+  if (Pull<D>::any(case_)) Pull<D>(cloth_, case_).add({cloth_.position, cloth_.velocity, 0}, pull);
   for (const auto& g : cloth_.groups) {
     const double excess = g.sheet.material.excess_mass;
     const Vec<D> weight = excess * case_.fluid.gravity.template head<D>();
     std::vector<Vec<D>> F(static_cast<std::size_t>(g.sheet.nodes()));
     for (int p = 0; p < g.pieces; ++p) {
       g.sheet.force(cloth_.piece(g, p), F);
-      for (std::size_t i = 0; i < F.size(); ++i)
-        fastest = std::max(fastest, (F[i] / g.sheet.area[i] + weight).norm() / (water + excess));
+      for (std::size_t i = 0; i < F.size(); ++i) {
+        const Vec<D> given = F[i] + pull[static_cast<std::size_t>(g.node(p, static_cast<int>(i)))];
+        fastest = std::max(fastest, (given / g.sheet.area[i] + weight).norm() / (water + excess));
+      }
     }
   }
   return fastest > 0 ? std::sqrt(2 * case_.time.cfl * h / fastest) : case_.time.end;

@@ -57,6 +57,49 @@ TEST(Untangle, PartsThreads) {
   expect_moved_as_they_are(before, cloth);
 }
 
+/// A plate stands upright through a lying one, its edge just below: it goes up by that.
+TEST(Untangle, TakesTheShortWay) {
+  auto cloth = heap<3>(2, 0);
+  for (std::size_t i = 20; i < 40; ++i) {
+    const Vec<3> flat = cloth.position[i - 20];
+    cloth.position[i - 20] = Vec<3>(flat[0], flat[1], 0);
+    cloth.position[i] = Vec<3>(0.1 * flat[0], 0.37 * flat[0] + 0.01, flat[1] + 0.17);
+  }
+  const auto before = cloth;
+  ASSERT_TRUE(find_too_near(cloth, open_box<3>(), gap));
+  EXPECT_TRUE(untangle<3>(cloth, open_box<3>(), gap, anywhere<3>));
+  const Vec<3> way =
+      (cloth.position[20] - before.position[20]) - (cloth.position[0] - before.position[0]);
+  EXPECT_LT(way.norm(), 0.12);
+}
+
+/// Edges that meet exactly are no crossing, and the way between them tells nothing.
+TEST(Untangle, PartsWhatMeetsExactly) {
+  auto cloth = heap<3>(2, 0);
+  for (std::size_t i = 0; i < 20; ++i) {
+    const double x = 0.1 * static_cast<double>(i % 4), y = 0.1 * static_cast<double>(i / 4);
+    cloth.position[i] = Vec<3>(x, y, 0);
+    cloth.position[20 + i] = Vec<3>(x, 0.2, y - 0.1);
+  }
+  EXPECT_TRUE(untangle<3>(cloth, open_box<3>(), gap, anywhere<3>));
+  EXPECT_FALSE(find_too_near(cloth, open_box<3>(), gap));
+}
+
+/// What crosses through a periodic side leaves through it.
+TEST(Untangle, PartsAcrossPeriodicSides) {
+  Mesh<2> mesh = open_box<2>();
+  mesh.periodic = {true, true};
+  auto cloth = heap<2>(2, 0);
+  cloth.position[6 + 2] += Vec<2>(0, 0.01);  // through the first one
+  cloth.position[6 + 3] -= Vec<2>(0, 0.01);
+  auto across = cloth;
+  for (std::size_t i = 6; i < 12; ++i) across.position[i][1] += 20;
+  EXPECT_TRUE(untangle<2>(cloth, mesh, gap, anywhere<2>));
+  EXPECT_TRUE(untangle<2>(across, mesh, gap, anywhere<2>));
+  for (std::size_t i = 6; i < 12; ++i)
+    EXPECT_LT((across.position[i] - Vec<2>(0, 20) - cloth.position[i]).norm(), 1e-9);
+}
+
 TEST(Untangle, LeavesApartWhatIsApart) {
   auto cloth = heap<3>(4, 0.05);
   const auto before = cloth;

@@ -96,6 +96,32 @@ TEST(SelfWatch, CountsCrossings) {
   EXPECT_EQ(watch.quality().crossings.edges, 16);
 }
 
+/// A heavy thread falls: what its weight does is found in its motion and the water's.
+TEST(SelfWatch, FindsWhereTheWorkOfAWeightGoes) {
+  Case whole = channel();
+  whole.domain.sides[3] = {};
+  whole.fluid.gravity = {0, -1, 0};
+  whole.time.step = 1e-3;
+  ClothCase thread;
+  thread.arrangement = Arrangement::sheet;
+  thread.size = {0.4, 0};
+  thread.nodes = {9, 1};
+  thread.material = {100, 0, 1e-3, 0, 0, 0.5, 1e-3};
+  thread.origin = {0.3, 0.7, 0};
+  whole.cloth = {thread};
+  Simulation<2> simulation(whole, Parallel());
+  SelfWatch<2> watch(simulation);
+  watch.observe(0);
+  for (int i = 0; i < 200; ++i) {
+    simulation.step(10);
+    watch.observe(0);
+  }
+  const auto& balance = watch.quality().balance;
+  EXPECT_GT(balance.work, 0);
+  EXPECT_NEAR(balance.work, simulation.work_on_cloth(), 1e-9);
+  EXPECT_LT(std::abs(balance.rest()), 0.1 * balance.work);
+}
+
 /// Drive, cloth and turning fins: the balance closes but for what the scheme takes.
 TEST(VerificationSelfWatch, ClosesTheBalanceOfAWash) {
   const Case whole = read_case("cases/wash-3d/case.toml",

@@ -65,6 +65,22 @@ std::string long_comment() {
   return text;
 }
 
+/// Two groups of one piece each; one without pieces is none.
+TEST(Page, NamesTheGroupsOfCloth) {
+  const std::string one =
+      "size = [\"0.1 m\", \"0.1 m\"]\nfabric = \"denim\"\nnodes = [5, 5]\n[[cloth]]\n";
+  std::string text = RunFolder::case_text();
+  const std::string first = "[[cloth]]\n";
+  text.replace(text.find(first), first.size(),
+               first + "name = \"towels\"\n" + one + "name = \"none\"\ncount = 0\n" + one);
+  const Made made({}, text);
+  const ReadPage page = made.page();
+  const Json& groups = page.run()["cloth"]["groups"];
+  ASSERT_EQ(groups.size(), 2U);
+  EXPECT_EQ(groups[0], Json({{"name", "towels"}, {"pieces", 1}}));
+  EXPECT_EQ(groups[1], Json({{"name", "cloth 3"}, {"pieces", 1}}));
+}
+
 TEST(Page, HoldsTheClothAsItWasWritten) {
   const Made made;
   const ReadPage page = made.page();

@@ -23,7 +23,7 @@ void advance(Simulation<D>& simulation, double every) {
 /// Largest difference of two states, NaN where one is.
 template <int D>
 double difference(const Simulation<D>& a, const Simulation<D>& b) {
-  double largest = std::abs(a.time() - b.time());
+  double largest = std::abs(a.time() - b.time()) + std::abs(a.work_on_cloth() - b.work_on_cloth());
   const auto& block = a.grid().block();
   for (int d = 0; d < D; ++d)
     for (int k = 0; k < block.planes(); ++k)
@@ -94,6 +94,10 @@ INSTANTIATE_TEST_SUITE_P(
                               "cases/wash-3d/case.toml",
                               {"domain.cells=16", "cloth.count=4", "cloth.nodes=[5, 5]"},
                               true},
+                      Restart{"spaceUnderLoad",
+                              "cases/wash-3d/case.toml",
+                              {"domain.cells=16", "cloth.count=4", "cloth.nodes=[5, 5]",
+                               "cloth.load=[\"1e4 * t\", \"0\", \"100 * x\"]"}},
                       Restart{"plane", "cases/wash-2d/case.toml", {"domain.cells=64"}},
                       Restart{"planeSmooth",
                               "cases/wash-2d/case.toml",

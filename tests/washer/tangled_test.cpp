@@ -42,4 +42,6 @@ TEST(TangledStart, IsRefusedWithThePairAndTheDistance) {
 TEST(TangledStart, IsUntangledWhereAsked) {
   EXPECT_EQ(message(0.002, "untangle = true\n"), "");
   EXPECT_EQ(message(0, "untangle = true\n"), "");
+  EXPECT_THAT(message(0, ""), HasSubstr("or contact.untangle = true"));
+  EXPECT_THAT(message(0, "scheme = \"none\"\nuntangle = true\n"), HasSubstr("untangle"));
 }
