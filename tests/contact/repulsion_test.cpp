@@ -178,12 +178,16 @@ TEST(Repulsion, ReachesAcrossPeriodicSides) {
 /// Whatever has moved since the lists were made, the force is that of a fresh look.
 void expect_no_lists(Cloth<3> cloth, int steps, const std::function<void(Cloth<3>&, int)>& move) {
   const ClothSurface<3> surface(cloth);
-  Repulsion<3> kept(surface, open_box<3>(), Parallel(), settings(), {{0.4}});
+  const std::vector<std::vector<double>> friction(cloth.groups.size(),
+                                                  std::vector<double>(cloth.groups.size(), 0.4));
+  Repulsion<3> kept(surface, open_box<3>(), Parallel(), settings(), friction);
   for (int step = 0; step < steps; ++step) {
     move(cloth, step);
     std::vector<Vec<3>> F(cloth.position.size(), Vec<3>::Zero());
     kept.add({cloth.position, cloth.velocity, dt}, F);
-    const auto fresh = force(cloth, 0.4);
+    std::vector<Vec<3>> fresh(F.size(), Vec<3>::Zero());
+    Repulsion<3>(surface, open_box<3>(), Parallel(), settings(), friction)
+        .add({cloth.position, cloth.velocity, dt}, fresh);
     for (std::size_t i = 0; i < F.size(); ++i)
       ASSERT_LT((F[i] - fresh[i]).norm(), 1e-10 * pressure) << step;
   }
@@ -197,15 +201,25 @@ TEST(Repulsion, DoesNotDependOnItsLists) {
   });
 }
 
-/// A small piece turns over between two others, which so change sides.
+/// A piece, small against the range, turns over between two others, which so change sides; nearer
+/// to one of them, so that it never is as far from both.
 TEST(Repulsion, SeesWhatChangesSides) {
-  auto cloth = heap<3>(3, 0.02);
-  for (std::size_t i = 20; i < 40; ++i)
-    cloth.position[i] = 0.02 * cloth.position[i] + Vec<3>(0.01, 0.01, 0.02);
-  expect_no_lists(cloth, 100, [](Cloth<3>& moved, int) {
+  const Material material{100, 10, 1e-3, 1e-3, 0, 0, 1e-3};
+  const Vec<3> centre(0.0137, 0.0093, 0.0175);
+  Cloth<3> cloth;
+  const auto add = [&](double spacing, const Vec<3>& middle) {
+    const auto sheet = make_plate({9, 9}, {spacing, spacing}, material);
+    std::vector<Vec<3>> where;
+    for (int n = 0; n < sheet.nodes(); ++n)
+      where.push_back(middle + spacing * Vec<3>(n % 9 - 4, n / 9 - 4, 0));
+    cloth.add(sheet, where);
+  };
+  add(0.012, Vec<3>(0, 0, 0));
+  add(0.012, Vec<3>(0, 0, 0.04));
+  add(0.001, centre);
+  expect_no_lists(cloth, 50, [&](Cloth<3>& moved, int) {
     const Eigen::AngleAxisd turn(0.04, Vec<3>(1, 0.3, 0).normalized());
-    const Vec<3> centre(0.01, 0.01, 0.02);
-    for (std::size_t i = 20; i < 40; ++i)
+    for (std::size_t i = 162; i < 243; ++i)
       moved.position[i] = centre + turn * (moved.position[i] - centre);
   });
 }
