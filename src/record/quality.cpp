@@ -21,6 +21,7 @@ bool is_closed(const Case& whole) {
 
 std::vector<std::string> Quality::warnings(const Case& whole) const {
   std::vector<std::string> found;
+  if (!start.empty()) found.push_back(start);
   if (const auto text = unresolved(worst, whole))
     found.push_back(*text);
   else if (const auto foreseen = foresee_unresolved(whole))
@@ -59,6 +60,7 @@ void Quality::state(Archive& archive) {
   archive.value("own gap", own_gap);
   archive.value("still near a quarter later", still_near[0]);
   archive.value("still near a period later", still_near[1]);
+  archive.value("start", start);
 }
 
 }  // namespace washtub

@@ -24,6 +24,7 @@ struct Quality {
   /// Of the pairs of nodes of different pieces that are near, the share that is so again a quarter
   /// and a whole period of the drive later; NaN where that is not known.
   std::array<double, 2> still_near{std::nan(""), std::nan("")};
+  std::string start;  ///< a sentence on a start that is not as it should be; mostly empty
 
   /// One sentence or paragraph on each thing that is not as it should be.
   std::vector<std::string> warnings(const Case& whole) const;

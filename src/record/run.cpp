@@ -72,6 +72,10 @@ class Run {
         schedule_(whole),
         checkpoints_(options.directory, whole.checkpoint.keep),
         clock_(whole.checkpoint) {
+    if (settled_.time > 0 && !settled_.at_rest && !settled_.stopped) {
+      observer_.self_watch().note_start(settled_text(settled_));
+      tell(settled_text(settled_));
+    }
     const auto& ranks = simulation_.grid().ranks();
     log_->info("{} ranks ({}), {} pieces of cloth, {} nodes", parallel_.size(),
                fmt::join(ranks, " x "), simulation_.cloth().pieces(), simulation_.cloth().nodes());
@@ -125,7 +129,7 @@ class Run {
     const Progress progress(case_.settle.time, parallel_.root());
     const Settled<D> settled = settle_with_care(progress);
     progress.finish();
-    tell(settled_text(settled));
+    if (settled.stopped || settled.at_rest) tell(settled_text(settled));
     return settled;
   }
 
@@ -152,8 +156,8 @@ class Run {
       return "stopped while the cloth settled, before t = 0; there is nothing to go on from";
     if (settled.at_rest) return fmt::format("the cloth has settled in {:.3g} s", settled.time);
     return fmt::format(
-        "after {:.3g} s of settling the cloth still moves at {:.2g} m/s (rms); the run begins with "
-        "it as it lies. A longer settle.time or a larger settle.gravity lets it come to rest",
+        "After {:.3g} s of settling the cloth still moved at {:.2g} m/s (rms), and the run begins "
+        "with it as it lay; try a longer settle.time or a larger settle.gravity.",
         settled.time, settled.speed);
   }
 

@@ -20,6 +20,8 @@ class SelfWatch {
   const QualitySample& observe(double power);
   /// Cloth through cloth and near to cloth as it is, for a frame.
   void look_at_cloth();
+  /// The run has started from something that its reader must know of.
+  void note_start(const std::string& sentence) { quality_.start = sentence; }
   /// A paragraph on a flow that is not resolved, once: when the first row shows it.
   std::optional<std::string> first_alarm();
 
