@@ -10,8 +10,10 @@ namespace washtub {
 template <int D>
 struct ClothMoment {
   const std::vector<Vec<D>>& position;  ///< X^n [m]
-  const std::vector<Vec<D>>& velocity;  ///< over the step before [m/s]
-  double dt;                            ///< length of the step that begins [s]
+  /// With which the water carries the nodes, 0 at pinned ones [m/s]. Forces between sheets that
+  /// cancel in the water do not change it, so that one against it does not feed on itself.
+  const std::vector<Vec<D>>& velocity;
+  double dt;  ///< length of the step that begins [s]
 };
 
 /// A force on the nodes that follows from where the cloth is when a step begins and acts all

@@ -20,7 +20,8 @@ namespace washtub {
 /// explicit step stays stable. Both sides sample, each for half of
 /// it; force and moment add up to nothing.
 ///
-/// Friction is Coulomb's, friction times p against the relative velocity along the sheets, or less
+/// Friction is Coulomb's, friction times p against the relative velocity of the water along the
+/// sheets, or less
 /// where a tenth of the areal mass is stopped by less within the step.
 template <int D>
 class Repulsion : public NodalForce<D> {

@@ -31,11 +31,13 @@ void CoupledStep<D>::find_elastic(const Nodes& X) {
 }
 
 template <int D>
-void CoupledStep<D>::find_given() {
+void CoupledStep<D>::find_given(const Nodes& velocity) {
   work_before = work_of_given();
   time_given = dt();
   std::fill(given.begin(), given.end(), Vec<D>::Zero());
-  for (const auto& f : forces) f->add({cloth.position, cloth.velocity, dt()}, given);
+  carried = velocity;
+  for (const int node : pinned) carried[node].setZero();
+  for (const auto& f : forces) f->add({cloth.position, carried, dt()}, given);
 }
 
 template <int D>

@@ -36,8 +36,9 @@ struct CoupledStep {
   double dt() const { return flow.step(); }  ///< [s]
   /// cloth.elastic = -dW/dX(X).
   void find_elastic(const Nodes& X);
-  /// given = the forces of the list, as they are when the step begins (collective).
-  void find_given();
+  /// given = the forces of the list, as they are when the step begins, with nodes that go with a
+  /// velocity [m/s] (collective).
+  void find_given(const Nodes& velocity);
   /// Of the forces of the list since the start [J]; per metre in 2-D.
   double work_of_given() const;
   void state(Archive& archive);
@@ -60,6 +61,7 @@ struct CoupledStep {
   /// the last step, then u^n+1 and what cloth moves past it by the force of this step, with 0 at
   /// pinned nodes.
   Nodes water;
+  Nodes carried;           ///< velocity that the forces of the list see [m/s]
   Nodes mobility;          ///< D of the nodes [1/kg]
   Nodes given;             ///< sum of the forces of the list [N]
   double time_given = 0;   ///< how long they act: the step [s]

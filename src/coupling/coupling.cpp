@@ -111,7 +111,7 @@ void Coupling<D>::push() {
   find_pins();
   {
     const InPhase touching(step_.clock, Phase::contact);
-    step_.find_given();
+    step_.find_given(scheme_->needs_provisional() ? step_.water : step_.cloth.velocity);
   }
   {
     const InPhase solving(step_.clock, Phase::cloth);

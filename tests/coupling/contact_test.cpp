@@ -44,6 +44,19 @@ Cloth<2> two_threads() {
   return cloth;
 }
 
+/// Six pieces on each other, much nearer than the water tells apart, that lean by a node.
+Cloth<2> stack(double friction) {
+  constexpr double h = 1.0 / 32;
+  std::vector<Vec<2>> where;
+  for (int p = 0; p < 6; ++p)
+    for (int i = 0; i < 9; ++i) where.emplace_back(0.3 + 0.05 * i + 0.01 * p, 0.5 + 0.15 * h * p);
+  Material material{2e3, 0, 1e-2, 0, 0, 0.5, 1e-3};
+  material.friction = friction;
+  Cloth<2> cloth;
+  cloth.add(make_thread(9, 0.05, material), where);
+  return cloth;
+}
+
 Cloth<3> two_plates() {
   std::vector<Vec<3>> where;
   for (int p = 0; p < 2; ++p)
@@ -168,6 +181,21 @@ TEST(VerificationContactInWater, RepelsInEveryScheme) {
     kept.run(300, 1e-3);
     EXPECT_GT(least_distance(kept.pool.cloth), least_distance(none.pool.cloth) + 0.1 * h);
   }
+}
+
+/// Sheets that the water does not tell apart go with it, whatever the friction between them: it
+/// does not feed on the motion that it makes itself.
+TEST(ContactInWater, FrictionInAPackedStackMakesNoMotion) {
+  constexpr double h = 1.0 / 32;
+  const auto slip = [](double friction) {
+    ContactSettings contact = layers(h, 300);
+    contact.gap = 0.1 * h;
+    Pressed<2> pressed(square(), stack(friction), 3, Scheme::implicit, contact);
+    double sum = 0;
+    for (int i = 0; i < 200; ++i) sum += pressed.pool.step(1e-3).slip;
+    return sum;
+  };
+  EXPECT_LT(slip(0.5), 1.2 * slip(0));
 }
 
 /// On all ranks together the same as on each alone.
