@@ -7,7 +7,8 @@
 #include "app/commands.hpp"
 #include "app/protect.hpp"
 #include "app/size.hpp"
-#include "base/error.hpp"
+#include "app/text_table.hpp"
+#include "ensemble/ensemble.hpp"
 #include "report/comparison.hpp"
 #include "report/page.hpp"
 
@@ -36,8 +37,6 @@ std::string difference_text(const std::optional<AgainstFirst>& d, const CompareR
                      as_exact(width, width), name, *d->significant() ? " *" : "");
 }
 
-using TextRow = std::vector<std::string>;
-
 std::vector<TextRow> text_table(const RunComparison& comparison) {
   std::vector<TextRow> table(1, TextRow{"quantity", comparison.names[0]});
   for (std::size_t run = 1; run < comparison.names.size(); ++run) {
@@ -54,39 +53,24 @@ std::vector<TextRow> text_table(const RunComparison& comparison) {
   return table;
 }
 
-/// Characters of a UTF-8 text.
-std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-void print(const std::vector<TextRow>& table) {
-  std::vector<std::size_t> widths(table[0].size());
-  for (const TextRow& row : table)
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
-  for (const TextRow& row : table) {
-    std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i)
-      line += row[i] + std::string(i + 1 < row.size() ? widths[i] + 2 - width(row[i]) : 0, ' ');
-    fmt::print("{}\n", line);
-  }
-}
-
-std::vector<RunRecord> read_runs(const std::vector<std::string>& directories) {
-  std::vector<RunRecord> runs;
-  for (const std::string& directory : directories) runs.push_back(read_run(directory));
-  prepare_comparison(runs);
-  return runs;
+std::vector<Compared> read_all(const std::vector<std::string>& directories) {
+  std::vector<Compared> all;
+  for (const std::string& directory : directories)
+    all.push_back(is_ensemble(directory) ? compared(read_ensemble(directory))
+                                         : Compared(read_run(directory)));
+  prepare_comparison(all);
+  return all;
 }
 
 }  // namespace
 
 int command_compare(const CompareArguments& arguments) {
   const std::size_t limit = parse_size(arguments.size);
-  PageContent content{program_name, read_runs(arguments.directories), nullptr};
+  std::vector<Compared> all = read_all(arguments.directories);
   protect_page(arguments.file);
-  const RunComparison comparison = compare(content.runs);
-  content.comparison = to_json(comparison);
+  const RunComparison comparison = compare(all);
+  PageContent content{program_name, {}, to_json(comparison), nullptr};
+  for (Compared& one : all) content.runs.push_back(std::move(one.run));
   const PageSize size = write_page(arguments.file, content, limit);
   print(text_table(comparison));
   fmt::print("* significant at 95 %\n\n{}\n", fmt::join(comparison.sentences, "\n"));

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "app/commands.hpp"
+#include "app/directory.hpp"
 #include "app/launch.hpp"
 #include "base/error.hpp"
 #include "base/exit_code.hpp"
@@ -19,8 +19,6 @@ namespace washtub {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string own_program() { return fs::read_symlink("/proc/self/exe").string(); }
 
 /// Where the cases are: what the user says, else the installed ones, else those of the source tree.
 std::string cases_directory(const VerifyArguments& arguments) {
@@ -70,31 +68,19 @@ int list_cases(const std::vector<CaseRuns>& cases) {
 
 RunPlan make_plan(const VerifyArguments& arguments) {
   RunPlan plan;
-  plan.program = own_program();
-  plan.identity = program_identity(plan.program, WASHTUB_VERSION);
+  plan.identity = fmt::format("{} {}", WASHTUB_VERSION, hash_of_file(own_program()));
   plan.directory = arguments.directory;
   plan.level = arguments.level;
-  plan.at_once = arguments.jobs.value_or(physical_cores());
-  plan.force = arguments.force;
-  plan.stop = stop_requested;
-  plan.progress = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+  plan.batch = {own_program(), arguments.jobs.value_or(physical_cores()), arguments.force,
+                stop_requested, [](const std::string& line) { fmt::print(stderr, "{}\n", line); }};
   return plan;
-}
-
-/// @throws InputError
-void prepare_results(const std::string& directory) {
-  std::error_code error;
-  fs::create_directories(directory, error);
-  if (error || access(directory.c_str(), W_OK | X_OK) != 0)
-    throw InputError(
-        fmt::format("{}: cannot be made or written; name another one with -o", directory));
 }
 
 Report make_report(std::vector<CaseRuns>&& cases, const RunPlan& plan) {
   Report report;
   report.program = program_name;
   report.level = plan.level;
-  report.interrupted = plan.stop();
+  report.interrupted = plan.batch.stop();
   for (CaseRuns& c : cases) {
     CaseReport entry;
     entry.judgements = judge(c);
@@ -118,7 +104,7 @@ int exit_code(const Report& report, bool allow_known) {
 int command_verify(const VerifyArguments& arguments) {
   std::vector<CaseRuns> cases = read_cases(arguments);
   if (arguments.list) return list_cases(cases);
-  prepare_results(arguments.directory);
+  make_results_folder(arguments.directory);
   install_stop_handlers();
   const RunPlan plan = make_plan(arguments);
   make_runs(cases, plan);

@@ -78,6 +78,16 @@ struct CompareArguments {
   std::string size = "20 MB";            ///< largest size of the page
 };
 
+struct EnsembleArguments {
+  CaseArguments input;
+  std::string seeds = "5";     ///< how many, or "6-10"
+  std::string directory;       ///< of the members; "" = out/<name of the case>-ensemble
+  std::optional<int> jobs;     ///< runs at once; as many as the cores take where not given
+  int ranks = 1;               ///< of each run
+  bool force = false;          ///< finished and unfinished members are made anew
+  std::string size = "20 MB";  ///< largest size of the page
+};
+
 struct MovieArguments {
   std::string directory;  ///< of the run
   std::string file;       ///< to write; "" = movie.mp4 in the run's directory
@@ -99,6 +109,7 @@ int command_bench(const BenchArguments& arguments);
 int command_verify(const VerifyArguments& arguments);
 int command_report(const ReportArguments& arguments);
 int command_compare(const CompareArguments& arguments);
+int command_ensemble(const EnsembleArguments& arguments);
 int command_movie(const MovieArguments& arguments);
 
 }  // namespace washtub

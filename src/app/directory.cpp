@@ -18,6 +18,14 @@ std::string default_directory(const std::string& case_path) {
   return (fs::path("out") / name).string();
 }
 
+void make_results_folder(const std::string& directory) {
+  std::error_code error;
+  fs::create_directories(directory, error);
+  if (error || access(directory.c_str(), W_OK | X_OK) != 0)
+    throw InputError(
+        fmt::format("{}: cannot be made or written; name another one with -o", directory));
+}
+
 void protect_case(const std::string& case_path, const std::string& directory) {
   std::error_code error;
   const fs::path folder = fs::absolute(case_path).parent_path();

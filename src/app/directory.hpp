@@ -8,6 +8,9 @@ namespace washtub {
 /// out/<name of the case>: its file's name, or its folder's where the file is called case.toml.
 std::string default_directory(const std::string& case_path);
 
+/// Makes a folder for the results of many runs. @throws InputError where it cannot be written
+void make_results_folder(const std::string& directory);
+
 /// @throws InputError if the results would take the place of the case file itself
 void protect_case(const std::string& case_path, const std::string& directory);
 

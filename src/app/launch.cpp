@@ -49,7 +49,7 @@ std::vector<std::string> mpirun_command(int ranks) {
   } else {
     command.insert(command.end(), {"--oversubscribe", "--bind-to", "none"});
   }
-  command.push_back(std::filesystem::read_symlink("/proc/self/exe").string());
+  command.push_back(own_program());
   return command;
 }
 
@@ -76,6 +76,8 @@ int wait_for(pid_t child) {
 }
 
 }  // namespace
+
+std::string own_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
 bool inside_mpi() {
   const auto names = {"OMPI_COMM_WORLD_SIZE", "PMI_RANK", "PMIX_RANK", "PMI_SIZE"};

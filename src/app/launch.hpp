@@ -7,6 +7,9 @@ namespace washtub {
 /// Whether mpirun, srun or another launcher started this process as one of several ranks.
 bool inside_mpi();
 
+/// Path of this program.
+std::string own_program();
+
 /// Cores of this machine that this process may use, hardware threads of a core counted once.
 int physical_cores();
 

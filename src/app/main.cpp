@@ -133,6 +133,30 @@ void add_compare(CLI::App& app, CompareArguments& arguments) {
       ->capture_default_str();
 }
 
+void add_ensemble(CLI::App& app, EnsembleArguments& arguments) {
+  CLI::App& command = *app.add_subcommand(
+      "ensemble",
+      "run a case from several random starts and pool what they tell; run again, it goes on with "
+      "what is unfinished");
+  add_case(command, arguments.input);
+  command.add_option("--seeds", arguments.seeds, "how many, as in 5, or from-to, as in 6-10")
+      ->type_name("SEEDS")
+      ->capture_default_str();
+  command.add_option("-o", arguments.directory, "directory of the members [out/<case>-ensemble]")
+      ->type_name("DIR");
+  command.add_option("-j", arguments.jobs, "runs at once [physical cores / RANKS]")
+      ->type_name("JOBS")
+      ->check(CLI::Range(1, 10000));
+  command.add_option("-n", arguments.ranks, "MPI ranks of each run")
+      ->type_name("RANKS")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  command.add_flag("--force", arguments.force, "make all members anew");
+  command.add_option("--max-size", arguments.size, "largest size of the page")
+      ->type_name("SIZE")
+      ->capture_default_str();
+}
+
 void add_movie(CLI::App& app, MovieArguments& arguments) {
   CLI::App& command = *app.add_subcommand("movie", "make a movie of a run's cloth and water");
   command.add_option("DIR", arguments.directory, "directory of the run")->required();
@@ -189,6 +213,8 @@ int command_line(int argc, char** argv) {
   add_report(app, report);
   CompareArguments compare;
   add_compare(app, compare);
+  EnsembleArguments ensemble;
+  add_ensemble(app, ensemble);
   MovieArguments movie;
   add_movie(app, movie);
   ReferenceArguments reference;
@@ -208,6 +234,7 @@ int command_line(int argc, char** argv) {
   if (app.got_subcommand("bench")) return command_bench(bench);
   if (app.got_subcommand("verify")) return command_verify(verify);
   if (app.got_subcommand("report")) return command_report(report);
+  if (app.got_subcommand("ensemble")) return command_ensemble(ensemble);
   if (app.got_subcommand("compare")) return command_compare(compare);
   if (app.got_subcommand("movie")) return command_movie(movie);
   return app.got_subcommand("check") ? command_check(check) : command_reference(reference);

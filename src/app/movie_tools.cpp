@@ -9,7 +9,8 @@
 #include <sstream>
 #include <vector>
 
-#include "base/error.hpp"
+#include "app/launch.hpp"
+#include "base//error.hpp"
 
 namespace washtub {
 
@@ -33,7 +34,7 @@ std::string find_program(const std::vector<std::string>& names, const std::strin
 }
 
 std::string find_script() {
-  const fs::path program = fs::read_symlink("/proc/self/exe");
+  const fs::path program = own_program();
   const fs::path installed = program.parent_path().parent_path() / "share/washtub/viewer/movie.mjs";
   const fs::path file = fs::exists(installed) ? installed : WASHTUB_SOURCE "/viewer/movie.mjs";
   if (!fs::exists(file.parent_path() / "node_modules/playwright-core"))

@@ -93,16 +93,14 @@ std::vector<std::string> check_case(const std::string& checkpoint, const Case& w
 /// anew.
 bool hardly_begun(const std::string& directory, const Case& whole) {
   const fs::path folder = directory;
-  const std::string there = (folder / "case.toml").string();
   std::error_code none;
   if (!fs::exists(folder / "history.csv") && !fs::exists(folder / "summary.json") &&
       fs::exists(folder / "log.txt"))
     return true;
-  const auto begun = fs::last_write_time(there, none);
+  const auto begun = fs::last_write_time(folder / "case.toml", none);
   const auto written = fs::last_write_time(folder / "history.csv", none);
   if (none) return false;
-  const auto differing = differences(physics(read_file(there), there), physics(whole.resolved, ""));
-  if (!std::all_of(differing.begin(), differing.end(), is_remedy_sentence)) return false;
+  if (!differing_case(directory, whole).empty()) return false;
   std::ifstream file(folder / "summary.json");
   const auto summary = nlohmann::json::parse(file, nullptr, false);
   const nlohmann::json::json_pointer outcome("/run/outcome");
@@ -143,6 +141,14 @@ void check_developed(const std::string& checkpoint, const Case& whole) {
 }
 
 }  // namespace
+
+std::vector<std::string> differing_case(const std::string& directory, const Case& whole) {
+  const std::string there = (fs::path(directory) / "case.toml").string();
+  if (!fs::exists(there)) return {};
+  auto differing = differences(physics(read_file(there), there), physics(whole.resolved, "case"));
+  std::erase_if(differing, is_remedy_sentence);
+  return differing;
+}
 
 void settle_directory(RunArguments& arguments) {
   std::string& path = arguments.input.path;

@@ -19,4 +19,8 @@ void settle_directory(RunArguments& arguments);
 [[nodiscard]] DirectoryLock prepare_start(const RunArguments& arguments, const Case& whole,
                                           RunOptions& options);
 
+/// How a case differs from the one whose results a directory holds, as sentences, but for what may
+/// change when a run goes on; none where it holds no case.
+std::vector<std::string> differing_case(const std::string& directory, const Case& whole);
+
 }  // namespace washtub

@@ -17,12 +17,11 @@ namespace washtub {
 /// sheets beyond those are not felt through them. Faces of the own piece count where they are
 /// farther away along the cloth. Below a knee, where -p' reaches a quarter of what moves a sheet in
 /// a step (areal mass over dt^2 where it lets no water through), p goes on linearly, so that an
-/// explicit step stays stable. Both sides sample, each for half of
-/// it; force and moment add up to nothing.
+/// explicit step stays stable. Both sides sample, each for half of it; force and moment add up to
+/// nothing.
 ///
 /// Friction is Coulomb's, friction times p against the relative velocity of the water along the
-/// sheets, or less
-/// where a tenth of the areal mass is stopped by less within the step.
+/// sheets, or less where a tenth of the areal mass is stopped by less within the step.
 template <int D>
 class Repulsion : public NodalForce<D> {
  public:

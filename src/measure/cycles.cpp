@@ -1,26 +1,14 @@
 #include "measure/cycles.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace washtub {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-/// Integral of cos^power from 0 to `angle` by Simpson's rule.
-double cosine_integral(double power, double angle) {
-  constexpr int intervals = 400;
-  const double step = angle / intervals;
-  double sum = 0;
-  for (int i = 0; i <= intervals; ++i) {
-    const double weight = i == 0 || i == intervals ? 1 : i % 2 == 1 ? 4 : 2;
-    sum += weight * std::pow(std::cos(i * step), power);
-  }
-  return sum * step / 3;
-}
 
 /// Mean and variance of the mean of batches.
 struct Batches {
@@ -80,16 +68,9 @@ DifferenceEstimate welch(std::span<const double> a, std::span<const double> b) {
   return result;
 }
 
-/// With t = sqrt(n) tan(x) the density goes as cos^(n-1)(x), so that Newton's method finds the
-/// angle within which 95 % of its integral lies.
 double student_95(double freedom) {
-  const double half = 0.5 * std::sqrt(std::numbers::pi) *
-                      std::exp(std::lgamma(freedom / 2) - std::lgamma((freedom + 1) / 2));
-  double angle = std::atan(1.96 / std::sqrt(freedom));
-  for (int i = 0; i < 30; ++i)
-    angle -= (cosine_integral(freedom - 1, angle) - 0.95 * half) /
-             std::pow(std::cos(angle), freedom - 1);
-  return std::sqrt(freedom) * std::tan(angle);
+  return boost::math::quantile(
+      boost::math::complement(boost::math::students_t(freedom), 0.5 * (1 - 0.95)));
 }
 
 }  // namespace washtub

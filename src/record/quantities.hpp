@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -67,6 +68,8 @@ struct RunQuantity {
   double scale = 1;             ///< [unit]
   std::string meaning = "";
   bool on_page = true;
+  /// Of an ensemble: the seeds of the runs whose means the batches are.
+  std::vector<std::uint64_t> seeds = {};
 
   /// The true mean is within +- this with 95 % confidence, from the batches by Student's t; none
   /// with fewer than two.

@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "base/error.hpp"
-#include "measure/cycles.hpp"
+#include "measure/pool.hpp"
 #include "report/settings.hpp"
 
 namespace washtub {
@@ -27,10 +27,10 @@ std::string last_parts(const std::string& directory, int count) {
   return result.empty() ? directory : result.string();
 }
 
-bool all_differ(const std::vector<RunRecord>& runs) {
-  for (std::size_t i = 0; i < runs.size(); ++i)
+bool all_differ(const std::vector<Compared>& all) {
+  for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      if (runs[i].name == runs[j].name) return false;
+      if (all[i].name == all[j].name) return false;
   return true;
 }
 
@@ -47,31 +47,50 @@ double magnitude(const RunQuantity& quantity) {
   return largest;
 }
 
+/// The means of runs with seeds that two ensembles have in common.
+struct Paired {
+  std::vector<double> first, other;
+};
+
+Paired pairs(const RunQuantity& first, const RunQuantity& other) {
+  Paired result;
+  for (std::size_t i = 0; i < first.seeds.size(); ++i)
+    for (std::size_t j = 0; j < other.seeds.size(); ++j)
+      if (first.seeds[i] == other.seeds[j]) {
+        result.first.push_back(first.batches[i]);
+        result.other.push_back(other.batches[j]);
+      }
+  return result;
+}
+
 std::optional<AgainstFirst> against(const std::optional<RunQuantity>& first,
                                     const std::optional<RunQuantity>& other) {
   constexpr double rounding = 1e-6;  // the files hold nine digits, and sums round differently
   if (!first || !other) return {};
   AgainstFirst result;
-  const double difference = other->mean - first->mean;
+  const Paired both = pairs(*first, *other);
+  result.paired = both.first.size() > 1;
+  const DifferenceEstimate estimate =
+      result.paired ? paired(both.first, both.other) : welch(first->batches, other->batches);
+  const double difference = result.paired ? estimate.difference : other->mean - first->mean;
   if (std::abs(difference) > rounding * std::max(magnitude(*first), magnitude(*other)))
     result.difference = difference;
   result.relative = std::abs(first->mean) > rounding * magnitude(*first);
   if (result.relative) result.percent = 100 * result.difference / std::abs(first->mean);
-  const double half_width = welch(first->batches, other->batches).half_width;
-  if (std::isfinite(half_width)) result.half_width = half_width;
+  if (std::isfinite(estimate.half_width)) result.half_width = estimate.half_width;
   return result;
 }
 
 /// Rows in the order in which the runs name their quantities, the first run's first.
-std::vector<CompareRow> rows_of(const std::vector<std::vector<RunQuantity>>& runs) {
+std::vector<CompareRow> rows_of(const std::vector<Compared>& all) {
   std::vector<CompareRow> rows;
-  for (const auto& quantities : runs)
-    for (const RunQuantity& quantity : quantities) {
+  for (const Compared& one : all)
+    for (const RunQuantity& quantity : one.quantities) {
       const auto known = [&](const CompareRow& row) { return row.name == quantity.name; };
       if (std::any_of(rows.begin(), rows.end(), known)) continue;
       CompareRow row{quantity.name, quantity.unit, {}, {}};
-      for (const auto& other : runs) {
-        const RunQuantity* value = named(other, row.name);
+      for (const Compared& other : all) {
+        const RunQuantity* value = named(other.quantities, row.name);
         row.values.push_back(value ? std::optional(*value) : std::nullopt);
         row.against.push_back(
             row.values.size() == 1 ? std::nullopt : against(row.values.front(), row.values.back()));
@@ -115,12 +134,13 @@ Difference shown(const AgainstFirst& difference, const CompareRow& row) {
   return result;
 }
 
-/// What keeps a difference from being told: the run whose window is too short.
+/// What keeps a difference from being told: too short a window, or too few members.
 std::string reason(const CompareRow& row, std::size_t run, const std::vector<std::string>& names) {
   const auto few = [&](std::size_t i) { return row.values[i]->batches.size() < 2; };
   if (few(0) && few(run))
-    return fmt::format("{} and {} have it for fewer than two whole cycles", names[0], names[run]);
-  return fmt::format("{} has it for fewer than two whole cycles", names[few(0) ? 0 : run]);
+    return fmt::format("{} and {} have it for fewer than two whole cycles or runs", names[0],
+                       names[run]);
+  return fmt::format("{} has it for fewer than two whole cycles or runs", names[few(0) ? 0 : run]);
 }
 
 std::string difference_sentence(const CompareRow& row, std::size_t run,
@@ -149,13 +169,26 @@ std::string difference_sentence(const CompareRow& row, std::size_t run,
                      other, first, text.interval(false));
 }
 
-constexpr const char* closing[] = {
+constexpr const char* meaning =
     "A difference is called significant where its 95 % interval leaves out zero: about one in "
-    "twenty such differences appears by chance where there is none.",
+    "twenty such differences appears by chance where there is none.";
+constexpr const char* of_runs =
     "The intervals come from the cycles of one run each, without a drive from eighths of its "
     "window. "
     "They do not tell how much the result "
-    "depends on where the cloth starts; runs with other seeds do."};
+    "depends on where the cloth starts; washtub ensemble does.";
+constexpr const char* of_ensembles =
+    "The intervals come from the spread between runs with other seeds; where both ensembles have "
+    "the same seeds, from the differences of the runs that start alike.";
+
+std::string closing(const std::vector<Compared>& all) {
+  const auto is_ensemble = [](const Compared& one) { return one.members > 1; };
+  const auto ensembles = std::count_if(all.begin(), all.end(), is_ensemble);
+  if (ensembles == 0) return of_runs;
+  if (ensembles == static_cast<long>(all.size())) return of_ensembles;
+  return "Ensembles are held against single runs here: the intervals of those come from their own "
+         "cycles and may be too narrow.";
+}
 
 }  // namespace
 
@@ -175,46 +208,64 @@ std::optional<bool> AgainstFirst::significant() const {
   return difference != 0 && std::abs(difference) > *half_width;
 }
 
-void prepare_comparison(std::vector<RunRecord>& runs) {
-  if (runs.size() < 2)
+Compared::Compared(RunRecord single)
+    : directory(single.directory),
+      name(single.name),
+      run(std::move(single)),
+      quantities(find_quantities(run)) {}
+
+Compared::Compared(std::string where, std::string called, RunRecord first,
+                   std::vector<RunQuantity> pooled, std::size_t count)
+    : directory(std::move(where)),
+      name(std::move(called)),
+      run(std::move(first)),
+      quantities(std::move(pooled)),
+      members(count) {
+  run.name = name;
+}
+
+void prepare_comparison(std::vector<Compared>& all) {
+  if (all.size() < 2)
     throw InputError("a comparison needs two directories or more, as in washtub compare A B");
-  for (std::size_t i = 1; i < runs.size(); ++i) {
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    const Compared& one = all[i];
     std::error_code error;
     for (std::size_t j = 0; j < i; ++j)
-      if (fs::equivalent(runs[i].directory, runs[j].directory, error))
+      if (fs::equivalent(one.directory, all[j].directory, error))
         throw InputError(fmt::format("{} and {} are the same directory; name each run once",
-                                     runs[j].directory, runs[i].directory));
-    const auto first = known_dimension(runs[0]), other = known_dimension(runs[i]);
+                                     all[j].directory, one.directory));
+    const auto first = known_dimension(all[0].run), other = known_dimension(one.run);
     if (first && other && *first != *other)
       throw InputError(
           fmt::format("{} is {}-D and {} is {}-D: their quantities have different units; compare "
                       "runs of one dimension",
-                      runs[0].directory, *first, runs[i].directory, *other));
+                      all[0].directory, *first, one.directory, *other));
   }
-  for (int parts = 2; !all_differ(runs) && parts < 100; ++parts)
-    for (RunRecord& run : runs) run.name = last_parts(run.directory, parts);
+  for (int parts = 2; !all_differ(all) && parts < 100; ++parts)
+    for (Compared& one : all) one.name = one.run.name = last_parts(one.directory, parts);
 }
 
-RunComparison compare(const std::vector<RunRecord>& runs) {
+RunComparison compare(const std::vector<Compared>& all) {
   RunComparison result;
-  std::vector<std::vector<RunQuantity>> quantities;
-  for (const RunRecord& run : runs) {
-    result.names.push_back(run.name);
-    quantities.push_back(find_quantities(run));
+  std::vector<const RunRecord*> runs;
+  for (const Compared& one : all) {
+    result.names.push_back(one.name);
+    runs.push_back(&one.run);
   }
-  result.rows = rows_of(quantities);
+  result.rows = rows_of(all);
   result.sentences = differing_settings(runs);
   for (std::size_t run = 1; run < runs.size(); ++run)
     for (const CompareRow& row : result.rows) {
       std::string sentence = difference_sentence(row, run, result.names);
       if (!sentence.empty()) result.sentences.push_back(std::move(sentence));
     }
-  for (const RunRecord& run : runs)
-    if (outcome(run) != "complete")
+  for (const RunRecord* run : runs)
+    if (outcome(*run) != "complete")
       result.sentences.push_back(
-          fmt::format("{} did not reach its end: {}.", run.name, outcome(run)));
+          fmt::format("{} did not reach its end: {}.", run->name, outcome(*run)));
   if (result.rows.empty()) result.sentences.emplace_back("The runs have no statistics to compare.");
-  result.sentences.insert(result.sentences.end(), std::begin(closing), std::end(closing));
+  result.sentences.emplace_back(meaning);
+  result.sentences.push_back(closing(all));
   return result;
 }
 

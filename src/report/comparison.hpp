@@ -12,9 +12,12 @@ namespace washtub {
 struct AgainstFirst {
   /// [unit of the quantity]; 0 also where it is less than 1e-6 of the values: they are the same
   double difference = 0;
-  std::optional<double> half_width;  ///< 95 %, by Welch's method; none: cannot be told
-  bool relative = true;              ///< whether the first run's value is more than rounding
-  double percent = 0;  ///< the difference, of the first run's value; 0 if not relative
+  bool paired = false;  ///< it is the mean of differences between runs of the same seed
+  /// 95 %; none: cannot be told. By Welch's method, or, between ensembles with two seeds or more in
+  /// common, from the differences of the runs that have the same seed.
+  std::optional<double> half_width;
+  bool relative = true;  ///< whether the first run's value is more than rounding
+  double percent = 0;    ///< the difference, of the first run's value; 0 if not relative
   /// Whether zero lies outside of difference +- half_width.
   std::optional<bool> significant() const;
 };
@@ -27,22 +30,34 @@ struct CompareRow {
                                                      ///< either lacks it
 };
 
+/// A run with its quantities, or an ensemble of runs; then `run` is its first member.
+struct Compared {
+  std::string directory, name;
+  RunRecord run;
+  std::vector<RunQuantity> quantities;
+  std::size_t members = 1;
+
+  explicit Compared(RunRecord run);
+  Compared(std::string directory, std::string name, RunRecord first,
+           std::vector<RunQuantity> quantities, std::size_t members);
+};
+
 struct RunComparison {
   std::vector<std::string> names;  ///< of the runs
   std::vector<CompareRow> rows;
   std::vector<std::string> sentences;  ///< what differs, what does not, what cannot be told
 };
 
-/// Gives runs of the same name longer ones, "fast/wash" and "slow/wash", until all differ.
+/// Gives what has the same name longer ones, "fast/wash" and "slow/wash", until all differ.
 /// @throws InputError with fewer than two, with one directory twice, or where 2-D meets 3-D
-void prepare_comparison(std::vector<RunRecord>& runs);
+void prepare_comparison(std::vector<Compared>& all);
 
 /// A number down to the second digit of `width`: "12.30" for a width of 0.21, "168000" for 25000;
 /// four digits where the width is not known.
 std::string as_exact(double value, std::optional<double> width);
 
-/// The quantities of the runs by name, and how the others differ from the first.
-RunComparison compare(const std::vector<RunRecord>& runs);
+/// The quantities by name, and how the others differ from the first.
+RunComparison compare(const std::vector<Compared>& all);
 
 /// As the page has it.
 nlohmann::ordered_json to_json(const RunComparison& comparison);

@@ -40,6 +40,7 @@ struct Draft {
   explicit Draft(const PageContent& content)
       : index{{"version", 1}, {"program", content.program}, {"runs", Json::array()}} {
     index["comparison"] = content.comparison;
+    index["ensemble"] = content.ensemble;
   }
   /// Adds a run that takes `room` bytes at most, if it can. Returns how many it takes.
   std::size_t add(const RunRecord& run, std::size_t room) {

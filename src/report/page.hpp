@@ -13,6 +13,7 @@ struct PageContent {
   std::string program;                          ///< "washtub 0.1.0"
   std::vector<RunRecord> runs;                  ///< one for a report, several for a comparison
   nlohmann::ordered_json comparison = nullptr;  ///< as in viewer/src/model/bundle.ts
+  nlohmann::ordered_json ensemble = nullptr;    ///< likewise, where the runs are its members
 };
 
 /// What was written.

@@ -21,7 +21,7 @@ Settings settings_of(const RunRecord& run) {
 }
 
 /// "3 in A and C, 4 in B"; runs that lack the key come last.
-std::string values_text(const std::vector<RunRecord>& runs,
+std::string values_text(const std::vector<const RunRecord*>& runs,
                         const std::vector<std::map<std::string, std::string>>& settings,
                         const std::string& key) {
   std::vector<std::pair<std::string, std::vector<std::string>>> holders;
@@ -31,9 +31,9 @@ std::string values_text(const std::vector<RunRecord>& runs,
     const auto same = std::find_if(holders.begin(), holders.end(),
                                    [&](const auto& holder) { return holder.first == value; });
     if (same == holders.end())
-      holders.push_back({value, {runs[i].name}});
+      holders.push_back({value, {runs[i]->name}});
     else
-      same->second.push_back(runs[i].name);
+      same->second.push_back(runs[i]->name);
   }
   if (holders.size() == 1) return "";
   std::vector<std::string> parts;
@@ -44,16 +44,16 @@ std::string values_text(const std::vector<RunRecord>& runs,
 
 }  // namespace
 
-std::vector<std::string> differing_settings(const std::vector<RunRecord>& runs) {
+std::vector<std::string> differing_settings(const std::vector<const RunRecord*>& runs) {
   std::vector<std::string> keys, sentences;
   std::vector<std::map<std::string, std::string>> settings;
-  for (const RunRecord& run : runs) {
-    if (!run.definition)
+  for (const RunRecord* run : runs) {
+    if (!run->definition)
       return {
           fmt::format("The settings cannot be compared: {} has no case.toml that this program "
                       "understands.",
-                      run.name)};
-    const Settings all = settings_of(run);
+                      run->name)};
+    const Settings all = settings_of(*run);
     for (const auto& [key, value] : all)
       if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
     settings.emplace_back(all.begin(), all.end());

@@ -52,7 +52,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   page_json(facts(run));
   page_json(groups(run));
   page_json(warnings(run));
-  differing_settings({run, run});
+  differing_settings({&run, &run});
   dimension(run);
   return 0;
 }

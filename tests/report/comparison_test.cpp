@@ -33,9 +33,9 @@ const CompareRow& named(const RunComparison& comparison, const std::string& name
 
 TEST(Compare, WelchOnTheCycles) {
   const RunFolder folder;
-  const std::vector<RunRecord> runs = {folder.run("A", steps(100, 2)),
-                                       folder.run("B", steps(112, 1)),
-                                       folder.run("C", steps(101, 5))};
+  const std::vector<Compared> runs = {Compared(folder.run("A", steps(100, 2))),
+                                      Compared(folder.run("B", steps(112, 1))),
+                                      Compared(folder.run("C", steps(101, 5)))};
   const RunComparison comparison = compare(runs);
   const CompareRow& stress = named(comparison, "stress");
   const std::vector<double> a = {98, 100, 102}, b = {111, 112, 113};
@@ -60,16 +60,16 @@ TEST(Compare, WelchOnTheCycles) {
 
 TEST(Compare, LowerReadsAsHowMuchLower) {
   const RunFolder folder;
-  const auto comparison =
-      compare({folder.run("A", steps(100, 0.1)), folder.run("B", steps(80, 0.1))});
+  const auto comparison = compare(
+      {Compared(folder.run("A", steps(100, 0.1))), Compared(folder.run("B", steps(80, 0.1)))});
   EXPECT_THAT(comparison.sentences,
               Contains("stress: 20.00 % lower in B than in A (95 % interval 19.77 % to 20.23 %)."));
 }
 
 TEST(Compare, RoundingIsNoDifference) {
   const RunFolder folder;
-  const auto comparison =
-      compare({folder.run("A", steps(100, 0)), folder.run("B", steps(100.00005, 0))});
+  const auto comparison = compare(
+      {Compared(folder.run("A", steps(100, 0))), Compared(folder.run("B", steps(100.00005, 0)))});
   const auto& against = named(comparison, "stress").against[1];
   EXPECT_EQ(against->difference, 0);
   EXPECT_EQ(against->significant(), false);
@@ -78,8 +78,9 @@ TEST(Compare, RoundingIsNoDifference) {
 
 TEST(Compare, AgainstNothingInTheUnit) {
   const RunFolder folder;
-  const auto comparison =
-      compare({folder.run("A", steps(0, 1)), folder.run("B", steps(20, 1)), folder.run("C", {})});
+  const auto comparison = compare({Compared(folder.run("A", steps(0, 1))),
+                                   Compared(folder.run("B", steps(20, 1))),
+                                   Compared(folder.run("C", {}))});
   const auto& against = named(comparison, "stress").against[1];
   EXPECT_NEAR(against->difference, 20, 1e-9);
   EXPECT_EQ(against->percent, 0);
@@ -105,7 +106,7 @@ TEST(Compare, OneCycleCannotTell) {
   const RunRecord a = folder.run("A", steps(100, 1));
   folder.run("B", steps(150, 1));
   folder.write("B/history.csv", RunFolder::history(steps(150, 1), 2.5));
-  const auto comparison = compare({a, read_run(folder.path("B"))});
+  const auto comparison = compare({Compared(a), Compared(read_run(folder.path("B")))});
   EXPECT_FALSE(named(comparison, "stress").against[1]->significant());
   EXPECT_THAT(comparison.sentences,
               Contains(HasSubstr("cannot be told, B has it for fewer than two whole cycles")));
@@ -117,7 +118,7 @@ TEST(Compare, RunsThatDidNotReachTheirEnd) {
   const RunRecord a = folder.run("A", {});
   folder.run("B", {});
   folder.write("B/summary.json", R"({"run": {"outcome": "stopped"}})");
-  EXPECT_THAT(compare({a, read_run(folder.path("B"))}).sentences,
+  EXPECT_THAT(compare({Compared(a), Compared(read_run(folder.path("B")))}).sentences,
               Contains("B did not reach its end: stopped."));
 }
 
@@ -127,7 +128,7 @@ TEST(Compare, WhatOnlyOneRunHas) {
   std::string text = RunFolder::case_text();
   const auto begin = text.find("[[cloth]]");
   text.erase(begin, text.find("[time]") - begin);
-  const auto comparison = compare({a, folder.run("B", {}, text)});
+  const auto comparison = compare({Compared(a), Compared(folder.run("B", {}, text))});
   EXPECT_FALSE(named(comparison, "stress").values[1]);
   EXPECT_THAT(comparison.sentences, Contains("stress: not known for B."));
   EXPECT_THAT(comparison.sentences, Contains("agitator rms torque: the same in B and A."));
@@ -141,41 +142,42 @@ TEST(Settings, KeysThatDiffer) {
   other.replace(other.find("[[cloth]]"), 9, "[[cloth]]\ncount = 3");
   const std::vector<RunRecord> runs = {folder.run("A", {}), folder.run("B", {}, other),
                                        folder.run("C", {})};
-  EXPECT_THAT(differing_settings(runs),
+  EXPECT_THAT(differing_settings({&runs[0], &runs[1], &runs[2]}),
               ElementsAre("fluid.viscosity: \"1 Pa s\" in A and C, \"2 Pa s\" in B.",
                           "cloth.count: not set in A and C, 3 in B."));
-  EXPECT_THAT(differing_settings({runs[0], runs[2]}),
+  EXPECT_THAT(differing_settings({&runs[0], &runs[2]}),
               ElementsAre("The runs have the same settings."));
 }
 
 TEST(PrepareComparison, Refusals) {
   const RunFolder folder;
-  std::vector<RunRecord> one = {folder.run("A", {})};
+  std::vector<Compared> one = {Compared(folder.run("A", {}))};
   EXPECT_THAT([&] { prepare_comparison(one); },
               ThrowsMessage<InputError>(HasSubstr("needs two directories or more")));
-  std::vector<RunRecord> twice = {one[0], read_run(folder.path("A/."))};
+  std::vector<Compared> twice = {one[0], Compared(read_run(folder.path("A/.")))};
   EXPECT_THAT([&] { prepare_comparison(twice); },
               ThrowsMessage<InputError>(HasSubstr("are the same directory")));
-  std::vector<RunRecord> mixed = {one[0], one[0]};
+  std::vector<Compared> mixed = {one[0], one[0]};
   folder.run("flat", {});
-  mixed[1] = read_run(folder.path("flat"));
-  mixed[1].definition->dimension = 2;
+  mixed[1] = Compared(read_run(folder.path("flat")));
+  mixed[1].run.definition->dimension = 2;
   EXPECT_THAT([&] { prepare_comparison(mixed); },
               ThrowsMessage<InputError>(HasSubstr("A is 3-D and ")));
 }
 
 TEST(PrepareComparison, UnknownDimensionsAreNoReason) {
   const RunFolder folder;
-  std::vector<RunRecord> runs = {folder.run("A", {}), folder.run("B", {})};
-  runs[0].definition->dimension = 2;
-  runs[1].definition.reset();
-  runs[1].history.reset();
+  std::vector<Compared> runs = {Compared(folder.run("A", {})), Compared(folder.run("B", {}))};
+  runs[0].run.definition->dimension = 2;
+  runs[1].run.definition.reset();
+  runs[1].run.history.reset();
   EXPECT_NO_THROW(prepare_comparison(runs));
 }
 
 TEST(PrepareComparison, NamesAreTold) {
   const RunFolder folder;
-  std::vector<RunRecord> runs = {folder.run("slow/wash", {}), folder.run("fast/wash", {})};
+  std::vector<Compared> runs = {Compared(folder.run("slow/wash", {})),
+                                Compared(folder.run("fast/wash", {}))};
   prepare_comparison(runs);
   EXPECT_EQ(runs[0].name, "slow/wash");
   EXPECT_EQ(runs[1].name, "fast/wash");

@@ -7,6 +7,7 @@ import { buildApi } from './page/api';
 import { beside } from './page/beside';
 import { buildComparison } from './page/comparison';
 import { buildDetails } from './page/details';
+import { buildEnsemble } from './page/ensemble';
 import { make } from './dom';
 import { buildHead } from './page/head';
 import { buildKeys } from './page/keys';
@@ -25,6 +26,8 @@ import {
   type Settings,
 } from './scene/settings';
 import { createRenderer, Stage } from './scene/stage';
+
+const MOST_VIEWS = 3; // of an ensemble's members
 
 /** Puts the page together, or says why it cannot. */
 async function main(page: HTMLElement): Promise<void> {
@@ -46,15 +49,18 @@ async function build(page: HTMLElement): Promise<void> {
   const clock = new Clock(timesOf(runs));
   const choices = choicesFor(runs);
   const settings = new Store(initialSettings(choices));
-  const stage = stageFor(runs, clock, settings);
+  const seen = bundle.ensemble ? runs.slice(0, MOST_VIEWS) : runs;
+  const stage = stageFor(seen, clock, settings);
+  const headed = bundle.ensemble ? bundle.runs.slice(0, 1) : bundle.runs;
   document.title = `${bundle.runs.map(({ name }) => name).join(', ')} – Washtub`;
   page.replaceChildren(
-    make('header', 'head', ...bundle.runs.map(buildHead)),
+    make('header', 'head', ...headed.map(buildHead)),
+    section('comparison', bundle.ensemble && buildEnsemble(bundle.ensemble)),
     section('comparison', bundle.comparison && buildComparison(bundle.comparison, bundle.runs)),
     beside(
-      make('section', 'views', ...viewsOf(runs, stage)),
+      make('section', 'views', ...viewsOf(seen, stage)),
       buildControls(runs, clock, settings, choices, stage),
-      section('plots', buildPlots(runs, clock)),
+      section('plots', buildPlots(runs, clock, bundle.ensemble)),
     ),
     section('summary', buildSummary(bundle.runs)),
     section('details', buildDetails(bundle.runs, bundle.program)),

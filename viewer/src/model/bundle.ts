@@ -1,5 +1,5 @@
 /**
- * What `washtub report` and `washtub compare` put into the page: one JSON index in the element
+ * What `washtub report`, `compare` and `ensemble` put into the page: one JSON index in the element
  * `washtub-data`, and binary chunks, each deflated (zlib) and in base64, in the elements
  * `washtub-chunk-0`, `-1`, ... The index refers to them by number. Multi-byte numbers are
  * little-endian. SI units throughout, angles in radians.
@@ -9,6 +9,7 @@ export interface Bundle {
   program: string; // "washtub 0.1.0"
   runs: RunIndex[]; // one for a report, several for a comparison
   comparison: Comparison | null;
+  ensemble: Ensemble | null; // whose members the runs are
 }
 
 export type Chunk = number;
@@ -147,4 +148,32 @@ export interface Difference {
   half_width: number | null; // 95 %
   percent: number; // of the first run's value
   significant: boolean | null; // null: cannot be told
+}
+
+/** One case from several random starts. */
+export interface Ensemble {
+  name: string;
+  seeds: number[]; // of the members
+  student: number | null; // 97.5 % point of Student's t for as many members
+  rows: PooledQuantity[];
+  sentences: string[]; // how sure it all is, and what would make it surer
+}
+
+/** A mean over the members, each counting alike. Half widths are 95 %; null: cannot be told. */
+export interface PooledQuantity {
+  name: string;
+  unit: string;
+  meaning: string;
+  mean: number;
+  half_width: number | null; // by the spread between the members
+  half_width_within: number | null; // by the cycles within them
+  variance_ratio: number | null; // of the members' means, over what their cycles let expect
+  chance: number | null; // of that or more, where the start does not matter
+  members_told: number; // that have an interval of their own
+  members_that_hold_the_mean: number; // in it
+  drift: number | null; // from the first cycle of the window to the last
+  drift_half_width: number | null;
+  seeds_for_5_percent: number | null;
+  cycles_for_5_percent: number | null;
+  members: number[]; // their means
 }

@@ -47,7 +47,8 @@ function makeCurve(wanted: Wanted, taken: Taken, style: Style): Curve {
   const until = taken.end ?? null;
   const width = until === null ? 1.5 : 2.5;
   const { column, meaning = '' } = wanted;
-  return { ...style, column, meaning, times, values, width, until, shown, faint: false };
+  const plain = { faint: false, with: null, band: null };
+  return { ...style, ...plain, column, meaning, times, values, width, until, shown };
 }
 
 /** The curve, with its running mean where one is wanted and the rows are close enough. */
@@ -97,6 +98,7 @@ function plotOf(runs: RunTables[], entry: Entry, styled: StyledCurve[]): TimePlo
     scale: scaleOf(runs, entry),
     logarithmic: entry.logarithmic ?? false,
     note: entry.note ?? '',
+    quantity: entry.curves[0]?.quantity ?? '',
     curves: [],
     bands: [],
     windows: windowsOf(runs),

@@ -70,6 +70,6 @@ export function pictureOf(plot: uPlot, title: string, curves: Curve[]): HTMLCanv
 /** Saves the plot as a PNG file. */
 export function savePicture(plot: uPlot, spec: TimePlotSpec, runs: string[], name: string): void {
   const title = runs.length > 1 ? spec.title : `${spec.title} – ${runs[0]}`;
-  const shown = spec.curves.filter((curve) => curve.shown);
+  const shown = spec.curves.filter((curve) => curve.shown && curve.with === null);
   pictureOf(plot, title, shown).toBlob((blob) => blob && download(`${name}.png`, blob));
 }

@@ -24,6 +24,8 @@ function curvesOf(run: RunTables, number: number, what: string): Curve[] {
       until: null,
       shown: true,
       faint: false,
+      with: null,
+      band: null,
       meaning: '',
     };
     return values ? [{ ...style, column, label: String(piece), run: number, times, values }] : [];
@@ -41,6 +43,7 @@ function plotsOf(run: RunTables, number: number, several: boolean): TimePlotSpec
       scale: null,
       logarithmic: false,
       note: '',
+      quantity: '',
       curves: curvesOf(run, number, what),
       bands: [],
       windows: [run.index.window],

@@ -1,10 +1,12 @@
 import 'uplot/dist/uPlot.min.css';
+import type { Ensemble } from '../model/bundle';
 import type { Clock } from '../model/clock';
 import { findColumn, parseTable } from '../model/csv';
 import type { LoadedRun } from '../model/run';
 import { commonWindow, TimeAxis } from './axis';
 import { catalogue } from './catalogue';
 import { button, element } from '../dom';
+import { poolSections } from './ensemble';
 import { pieceSection } from './pieces';
 import { register } from './registry';
 import type { RunTables, Section } from './spec';
@@ -22,9 +24,15 @@ const windowHint =
 type Readable = Pick<LoadedRun, 'index' | 'history' | 'tracks'>;
 
 /** All plots of the runs, on one time axis and tied to the clock. */
-export function buildPlots(runs: Readable[], clock: Clock): HTMLElement {
+export function buildPlots(
+  runs: Readable[],
+  clock: Clock,
+  ensemble: Ensemble | null = null,
+): HTMLElement {
   const tables = runs.map(readTables);
-  const sections = [...catalogue(tables), pieceSection(tables)].filter((s) => s !== null);
+  const compared = catalogue(tables);
+  const common = ensemble ? poolSections(compared, ensemble) : compared;
+  const sections = [...common, pieceSection(tables)].filter((s) => s !== null);
   for (const plot of sections.flatMap((section) => section.plots)) register(plot);
   const axis = new TimeAxis(clock, wholeTime(tables, clock));
   const missing = tables

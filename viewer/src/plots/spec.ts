@@ -22,6 +22,8 @@ export interface Curve {
   faint: boolean; // stands back behind its running mean
   until: number | null; // steps, each value up to the next one and the last until then [s]
   shown: boolean;
+  with: Curve | null; // the one whose entry in the legend switches this one, too
+  band: Float64Array | null; // half width about each value, shaded
 }
 
 /** Mean of a curve's quantity over the window with its 95 % interval, SI. */
@@ -40,6 +42,7 @@ export interface TimePlotSpec {
   scale: { size: number; symbol: string } | null; // what a second axis divides by, as 1 sigma_o
   logarithmic: boolean;
   note: string; // a sentence under the plot, or ""
+  quantity: string; // of the statistics that belongs to its first curve, or ""
   curves: Curve[];
   bands: MeanBand[];
   windows: [number, number][]; // of the statistics [s], without repetition

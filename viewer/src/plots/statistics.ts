@@ -50,6 +50,31 @@ export function drawIntervals(plot: uPlot, spec: TimePlotSpec, { factor }: Displ
   });
 }
 
+/** Shades the bands about curves, where both ends of a stretch are known. */
+export function drawBands(plot: uPlot, spec: TimePlotSpec, { factor }: Display): void {
+  const y = (value: number) => plot.valToPos(value * factor, 'y', true);
+  clipped(plot, (context) => {
+    for (const { times, values, band, colour, shown } of spec.curves) {
+      if (!band || !shown) continue;
+      const x = Array.from(times, (time) => plot.valToPos(time, 'x', true));
+      context.fillStyle = colourOf(colour);
+      context.globalAlpha = 0.16;
+      for (let i = 1; i < times.length; ++i) {
+        const corners = [
+          [x[i - 1]!, y(values[i - 1]! - band[i - 1]!)],
+          [x[i - 1]!, y(values[i - 1]! + band[i - 1]!)],
+          [x[i]!, y(values[i]! + band[i]!)],
+          [x[i]!, y(values[i]! - band[i]!)],
+        ] as const;
+        if (corners.some(([, height]) => !Number.isFinite(height))) continue;
+        context.beginPath();
+        for (const [across, down] of corners) context.lineTo(across, down);
+        context.fill();
+      }
+    }
+  });
+}
+
 /** Draws the means over the window as dashed lines over the curves, set off from them. */
 export function drawMeans(plot: uPlot, spec: TimePlotSpec, { factor }: Display): void {
   const ratio = plot.ctx.canvas.width / plot.width;

@@ -6,7 +6,7 @@ import { formatBeside, formatTicks, withUnit, type Display } from './format';
 import { buildLegend } from './legend';
 import { savePicture } from './picture';
 import { addCursorLines, followPointer } from './pointing';
-import { drawIntervals, drawMeans, drawWindows } from './statistics';
+import { drawBands, drawIntervals, drawMeans, drawWindows } from './statistics';
 import type { Curve, TimePlotSpec } from './spec';
 import { colourOf, onThemeChange } from './theme';
 
@@ -31,8 +31,13 @@ export function buildTimePlot(spec: TimePlotSpec, { axis, runs, scaled }: PlotPa
     alignedData(spec, display.factor),
     place,
   );
-  const legend = buildLegend(spec.curves, valueText(spec, display), (i, show) =>
-    plot.setSeries(i + 1, { show }),
+  const listed = spec.curves.filter((curve) => curve.with === null);
+  const legend = buildLegend(listed, valueText(spec, display), (i, show) =>
+    spec.curves.forEach((curve, k) => {
+      if (curve !== listed[i] && curve.with !== listed[i]) return;
+      curve.shown = show;
+      plot.setSeries(k + 1, { show });
+    }),
   );
   const moveLines = addCursorLines(plot, axis);
   const update = () => {
@@ -128,7 +133,11 @@ function optionsOf(
     axes,
     series: [{}, ...spec.curves.map(seriesOf)],
     hooks: {
-      drawAxes: [(plot) => drawWindows(plot, spec), (plot) => drawIntervals(plot, spec, display)],
+      drawAxes: [
+        (plot) => drawWindows(plot, spec),
+        (plot) => drawBands(plot, spec, display),
+        (plot) => drawIntervals(plot, spec, display),
+      ],
       draw: [(plot) => drawMeans(plot, spec, display)],
     },
   };

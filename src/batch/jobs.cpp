@@ -1,4 +1,4 @@
-#include "verify/jobs.hpp"
+#include "batch/jobs.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

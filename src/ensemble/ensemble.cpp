@@ -1,0 +1,160 @@
+#include "ensemble/ensemble.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "base/error.hpp"
+#include "ensemble/members.hpp"
+#include "io/file.hpp"
+
+namespace washtub {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr const char* list = "ensemble.json";
+constexpr const char* seeds_key = "seeds";
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double wanted = 0.05;  // half width, of the mean
+
+std::string list_path(const std::string& directory) {
+  return (fs::path(directory) / list).string();
+}
+
+void foresee(PooledQuantity& quantity) {
+  const double width = wanted * std::abs(quantity.pool.mean);
+  quantity.seeds_wanted = count_for(quantity.pool.deviation, width);
+  quantity.cycles_wanted = unknown;
+  if (!quantity.pool.covered()) return;
+  Statistics squares;  // of the deviations of cycles
+  for (const auto& batches : quantity.batches) {
+    if (batches.size() < 2) continue;
+    Statistics own;
+    for (const double value : batches) own.add(value);
+    squares.add(own.deviation() * own.deviation() * own.weight() / (own.weight() - 1));
+  }
+  quantity.cycles_wanted = count_for(std::sqrt(squares.mean()), width);
+}
+
+/// The quantities in the order in which the members name them.
+std::vector<PooledQuantity> pool_all(const std::vector<std::uint64_t>& seeds,
+                                     const std::vector<RunRecord>& runs) {
+  std::vector<PooledQuantity> all;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    for (RunQuantity& own : find_quantities(runs[i])) {
+      auto at = std::find_if(all.begin(), all.end(),
+                             [&](const auto& known) { return known.about.name == own.name; });
+      if (at == all.end()) {
+        all.emplace_back();
+        at = all.end() - 1;
+        at->about = own;
+        at->about.batches.clear();
+      }
+      at->about.seeds.push_back(seeds[i]);
+      at->about.batches.push_back(own.mean);
+      at->batches.push_back(std::move(own.batches));
+    }
+  for (PooledQuantity& quantity : all) {
+    // A member without a whole cycle counts with what it has.
+    std::vector<std::vector<double>> values = quantity.batches;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (values[i].empty()) values[i] = {quantity.about.batches[i]};
+    quantity.pool = pool(values);
+    quantity.drift = drift(values);
+    quantity.about.mean = quantity.pool.mean;
+    foresee(quantity);
+  }
+  return all;
+}
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+}  // namespace
+
+Ensemble::Ensemble(std::string where, std::vector<std::uint64_t> which,
+                   std::vector<RunRecord> records)
+    : directory(std::move(where)),
+      seeds(std::move(which)),
+      runs(std::move(records)),
+      quantities(pool_all(seeds, runs)) {
+  const fs::path path = fs::absolute(directory).lexically_normal();
+  name = (path.has_filename() ? path : path.parent_path()).filename().string();
+}
+
+bool is_ensemble(const std::string& directory) { return fs::exists(list_path(directory)); }
+
+void write_members(const std::string& directory, const std::vector<std::uint64_t>& seeds) {
+  replace_file(list_path(directory), Json{{"version", 1}, {seeds_key, seeds}}.dump(2) + '\n');
+}
+
+Ensemble read_ensemble(const std::string& directory) {
+  const Json json = Json::parse(read_file(list_path(directory)), nullptr, false);
+  std::vector<std::uint64_t> seeds, found;
+  if (json.is_object() && json.contains(seeds_key) && json[seeds_key].is_array())
+    for (const Json& seed : json[seeds_key])
+      if (seed.is_number_unsigned()) seeds.push_back(seed.get<std::uint64_t>());
+  if (seeds.empty())
+    throw InputError(
+        fmt::format("{}: is damaged; washtub ensemble writes it anew", list_path(directory)));
+  std::vector<RunRecord> runs;
+  for (const std::uint64_t seed : seeds) {
+    const std::string member = (fs::path(directory) / member_name(seed)).string();
+    std::error_code none;
+    if (!fs::exists(fs::path(member) / "summary.json", none)) continue;
+    RunRecord run = read_run(member);
+    if (outcome(run) != "complete") continue;
+    found.push_back(seed);
+    runs.push_back(std::move(run));
+  }
+  if (runs.empty())
+    throw InputError(fmt::format(
+        "{}: none of its {} members has reached its end; washtub ensemble goes on with them",
+        directory, seeds.size()));
+  return {directory, std::move(found), std::move(runs)};
+}
+
+Compared compared(Ensemble&& ensemble) {
+  std::vector<RunQuantity> quantities;
+  for (PooledQuantity& quantity : ensemble.quantities)
+    quantities.push_back(std::move(quantity.about));
+  const std::size_t members = ensemble.runs.size();
+  return {ensemble.directory, ensemble.name, std::move(ensemble.runs.front()),
+          std::move(quantities), members};
+}
+
+Json to_json(const Ensemble& ensemble) {
+  Json rows = Json::array();
+  for (const PooledQuantity& q : ensemble.quantities)
+    rows.push_back({{"name", q.about.name},
+                    {"unit", q.about.unit},
+                    {"meaning", q.about.meaning},
+                    {"mean", q.pool.mean},
+                    {"half_width", number(q.pool.half_width)},
+                    {"half_width_within", number(q.pool.within)},
+                    {"deviation", number(q.pool.deviation)},
+                    {"variance_ratio", number(q.pool.ratio)},
+                    {"chance", number(q.pool.chance)},
+                    {"members_told", q.pool.told},
+                    {"members_that_hold_the_mean", q.pool.hold},
+                    {"drift", number(q.drift.change)},
+                    {"drift_half_width", number(q.drift.half_width)},
+                    {"seeds_for_5_percent", number(q.seeds_wanted)},
+                    {"cycles_for_5_percent", number(q.cycles_wanted)},
+                    {"seeds", q.about.seeds},
+                    {"members", q.about.batches}});
+  const auto members = static_cast<double>(ensemble.runs.size());
+  return {{"name", ensemble.name},
+          {"seeds", ensemble.seeds},
+          {"student", members > 1 ? Json(student_95(members - 1)) : Json()},
+          {"rows", rows},
+          {"sentences", sentences(ensemble)}};
+}
+
+}  // namespace washtub
