@@ -82,8 +82,9 @@ std::string wanted_sentence(const Ensemble& ensemble) {
   const auto* first = known.front();
   const auto& q = *first;
   const double now = 100 * q.pool.half_width / std::abs(q.pool.mean);
-  std::string text = fmt::format("{}: known to +- {:.2g} % now; +- 5 % takes about {:.0f} members",
-                                 q.about.name, now, q.seeds_wanted);
+  std::string text =
+      fmt::format("{} is known to within {:.2g} % now; to within 5 % takes about {:.0f} members",
+                  q.about.name, now, q.seeds_wanted);
   if (std::isfinite(q.cycles_wanted))
     text += fmt::format(", or one run of about {:.0f} cycles in the window", q.cycles_wanted);
   return text + '.';

@@ -21,7 +21,28 @@ const heads = [
 ];
 
 /** What an ensemble tells: sentences first, then all pooled quantities. */
-export function buildEnsemble({ name, seeds, rows, sentences }: Ensemble): HTMLElement {
+export function buildEnsemble(
+  { name, seeds, rows, sentences }: Ensemble,
+  groups: readonly string[],
+): HTMLElement {
+  const isOfGroup = (row: PooledQuantity) =>
+    groups.length > 1 && groups.some((group) => row.name.startsWith(`${group} `));
+  const apart = rows.filter(isOfGroup);
+  const fold = element('details', {}, element('summary', {}, `Groups of cloth (${groups.length})`));
+  fold.append(buildTable(apart));
+  return element(
+    'div',
+    { id: 'ensemble' },
+    element('h2', {}, `Ensemble ${name}: ${seeds.length} members`),
+    element('p', { class: 'note' }, `Seeds ${seeds.join(', ')}.`),
+    element('ul', { class: 'sentences' }, ...sentences.map((text) => element('li', {}, text))),
+    buildTable(rows.filter((row) => !isOfGroup(row))),
+    apart.length > 0 ? fold : null,
+    element('p', { class: 'note' }, meaning),
+  );
+}
+
+function buildTable(rows: readonly PooledQuantity[]): HTMLElement {
   const head = heads.map((text) => element('th', { scope: 'col' }, text));
   const table = element(
     'table',
@@ -30,15 +51,7 @@ export function buildEnsemble({ name, seeds, rows, sentences }: Ensemble): HTMLE
     element('tbody', {}, ...rows.map(buildRow)),
   );
   const scroll = { class: 'table-scroll', tabindex: '0', role: 'region', 'aria-label': 'Ensemble' };
-  return element(
-    'div',
-    { id: 'ensemble' },
-    element('h2', {}, `Ensemble ${name}: ${seeds.length} members`),
-    element('p', { class: 'note' }, `Seeds ${seeds.join(', ')}.`),
-    element('ul', { class: 'sentences' }, ...sentences.map((text) => element('li', {}, text))),
-    element('div', scroll, table),
-    element('p', { class: 'note' }, meaning),
-  );
+  return element('div', scroll, table);
 }
 
 function buildRow(row: PooledQuantity): HTMLElement {
