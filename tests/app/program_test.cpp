@@ -62,8 +62,7 @@ TEST_F(Program, RefusesWrongCommandLines) {
   refuses("run " + wash() + " -n 0", "-n 0: allowed: 1 or more ranks");
   refuses("wash",
           "unknown command wash; there are run, check, modes, fabrics, bench, verify, report, "
-          "compare, movie, "
-          "reference");
+          "compare, ensemble, movie, reference");
 }
 
 TEST_F(Program, DoesNotWriteOverTheCaseFile) {

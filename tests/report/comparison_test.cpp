@@ -8,8 +8,8 @@
 
 #include "base/error.hpp"
 #include "measure/cycles.hpp"
-#include "report/run_folder.hpp"
 #include "report/settings.hpp"
+#include "support/run_folder.hpp"
 
 namespace washtub {
 namespace {
@@ -78,9 +78,9 @@ TEST(Compare, RoundingIsNoDifference) {
 
 TEST(Compare, AgainstNothingInTheUnit) {
   const RunFolder folder;
-  const auto comparison = compare({Compared(folder.run("A", steps(0, 1))),
-                                   Compared(folder.run("B", steps(20, 1))),
-                                   Compared(folder.run("C", {}))});
+  const auto comparison =
+      compare({Compared(folder.run("A", steps(0, 1))), Compared(folder.run("B", steps(20, 1))),
+               Compared(folder.run("C", {}))});
   const auto& against = named(comparison, "stress").against[1];
   EXPECT_NEAR(against->difference, 20, 1e-9);
   EXPECT_EQ(against->percent, 0);

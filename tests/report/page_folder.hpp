@@ -5,7 +5,7 @@
 #include "inflate.hpp"
 #include "io/frame.hpp"
 #include "report/page.hpp"
-#include "run_folder.hpp"
+#include "support/run_folder.hpp"
 
 namespace washtub::testing {
 

@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "measure/cycles.hpp"
-#include "report/run_folder.hpp"
 #include "report/statistics.hpp"
+#include "support/run_folder.hpp"
 
 namespace washtub {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "base/error.hpp"
 #include "report/facts.hpp"
-#include "report/run_folder.hpp"
 #include "report/statistics.hpp"
 #include "report/warnings.hpp"
+#include "support/run_folder.hpp"
 
 namespace washtub {
 namespace {

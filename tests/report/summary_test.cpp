@@ -6,8 +6,8 @@
 
 #include "record/columns.hpp"
 #include "record/summarise.hpp"
-#include "report/run_folder.hpp"
 #include "report/statistics.hpp"
+#include "support/run_folder.hpp"
 
 namespace washtub {
 namespace {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "report/run_folder.hpp"
+#include "support/run_folder.hpp"
 
 namespace washtub {
 namespace {

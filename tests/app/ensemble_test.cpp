@@ -1,0 +1,114 @@
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+
+using testing::HasSubstr;
+using testing::Not;
+using washtub::testing::Outcome;
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// Two cycles of a small 2-D washer with three pieces of cloth.
+constexpr const char* small_case = R"(dimension = 2
+[washer]
+radius = "0.3 m"
+stroke = { kind = "sinusoid", peak = "12 rad/s", frequency = "10 Hz" }
+[fluid]
+viscosity = "1 Pa s"
+[domain]
+cells = 32
+[cloth]
+count = 3
+size = ["0.15 m"]
+stretch_stiffness = "1e5 N/m"
+bending_stiffness = "1e-5 N m"
+excess_mass = "0.1 kg/m^2"
+thickness = "0.2 mm"
+[time]
+end = "0.3 s"
+[output]
+every = "2 ms"
+window = ["0.1 s", "0.3 s"]
+)";
+
+class Ensembles : public washtub::testing::Program {
+ protected:
+  Ensembles() { std::ofstream(folder / "small.toml") << small_case; }
+  json pooled(const std::string& directory) const {
+    std::ifstream file(folder / directory / "pooled.json");
+    return json::parse(file);
+  }
+};
+
+}  // namespace
+
+TEST_F(Ensembles, RunsMembersKeepsThemAndPoolsThem) {
+  const Outcome first = run("ensemble small.toml --seeds 2 -o all");
+  ASSERT_EQ(first.code, 0) << first.text;
+  EXPECT_THAT(first.text, HasSubstr("2 members: seeds 1, 2"));
+  EXPECT_TRUE(fs::exists(folder / "all" / "ensemble.html"));
+  ASSERT_EQ(pooled("all")["rows"][0]["members"].size(), 2U);
+
+  // More members: those that are there are kept.
+  const Outcome more = run("ensemble small.toml --seeds 3 -o all");
+  ASSERT_EQ(more.code, 0) << more.text;
+  EXPECT_THAT(more.text, HasSubstr("seed-2: kept"));
+  EXPECT_THAT(more.text, HasSubstr("seed-3: done"));
+  const json three = pooled("all");
+  ASSERT_EQ(three["rows"][0]["members"].size(), 3U);
+  EXPECT_NE(three["rows"][0]["members"][0], three["rows"][0]["members"][1]);
+
+  // The member with seed 1 is the case as it is.
+  ASSERT_EQ(run("run small.toml -n 1 --no-report -o single").code, 0);
+  std::ifstream file(folder / "single" / "summary.json");
+  const double mean = json::parse(file)["cloth"]["stress"]["mean [Pa]"];
+  EXPECT_NEAR(three["rows"][0]["members"][0], mean, 1e-6 * mean);
+
+  // Longer: they go on.
+  const Outcome longer =
+      run("ensemble small.toml --seeds 2 -o all --set 'time.end=0.4 s' --set "
+          "'output.window=[\"0.1 s\", \"0.4 s\"]'");
+  EXPECT_EQ(longer.code, 0) << longer.text;
+  EXPECT_THAT(longer.text, HasSubstr("seed-1: done"));
+
+  // Another case: nothing is touched.
+  const Outcome other = run("ensemble small.toml --seeds 2 -o all --set 'fluid.viscosity=2 Pa s'");
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.text, HasSubstr("is of another case: fluid.viscosity = \"1 Pa s\", here \"2 "
+                                    "Pa s\"; name another directory with -o, or"));
+  EXPECT_EQ(pooled("all")["rows"][0]["members"].size(), 2U);
+
+  // Held against a run, and an ensemble.
+  const Outcome against = run("compare all single");
+  EXPECT_EQ(against.code, 0) << against.text;
+  EXPECT_THAT(against.text, HasSubstr("Ensembles are held against single runs here"));
+}
+
+TEST_F(Ensembles, SaysWhichMemberFailed) {
+  const Outcome outcome =
+      run("ensemble small.toml --seeds 2 -o all --set coupling.strain_limit=1e-6");
+  EXPECT_EQ(outcome.code, 1) << outcome.text;
+  EXPECT_THAT(outcome.text, HasSubstr("seed-1: failed after"));
+  EXPECT_THAT(outcome.text, HasSubstr("strain_limit"));
+  EXPECT_THAT(outcome.text, Not(HasSubstr("members: seeds")));
+}
+
+TEST_F(Ensembles, Refusals) {
+  const auto refused = [&](const std::string& arguments, const std::string& what) {
+    const Outcome outcome = run("ensemble small.toml " + arguments);
+    EXPECT_EQ(outcome.code, 2) << outcome.text;
+    EXPECT_THAT(outcome.text, HasSubstr(what));
+  };
+  refused("--seeds 1", "--seeds 1: should be how many");
+  refused("--set 'cloth.count=0'", "nothing in this case is drawn at random");
+  fs::create_directories(folder / "mine");
+  std::ofstream(folder / "mine" / "thesis.txt") << "dear";
+  refused("-o mine", "mine: holds files that are of no ensemble");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder / "mine"), fs::directory_iterator()), 1);
+}
