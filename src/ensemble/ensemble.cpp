@@ -33,14 +33,15 @@ void foresee(PooledQuantity& quantity) {
   quantity.seeds_wanted = count_for(quantity.pool.deviation, width);
   quantity.cycles_wanted = unknown;
   if (!quantity.pool.covered()) return;
-  Statistics squares;  // of the deviations of cycles
+  Statistics variances;  // of blocks
   for (const auto& batches : quantity.batches) {
-    if (batches.size() < 2) continue;
     Statistics own;
-    for (const double value : batches) own.add(value);
-    squares.add(own.deviation() * own.deviation() * own.weight() / (own.weight() - 1));
+    for (const double value : blocks(batches, quantity.pool.block)) own.add(value);
+    if (own.weight() < 2) continue;
+    variances.add(own.deviation() * own.deviation() * own.weight() / (own.weight() - 1));
   }
-  quantity.cycles_wanted = count_for(std::sqrt(squares.mean()), width);
+  quantity.cycles_wanted =
+      static_cast<double>(quantity.pool.block) * count_for(std::sqrt(variances.mean()), width);
 }
 
 /// The quantities in the order in which the members name them.
@@ -141,6 +142,7 @@ Json to_json(const Ensemble& ensemble) {
                     {"deviation", number(q.pool.deviation)},
                     {"variance_ratio", number(q.pool.ratio)},
                     {"chance", number(q.pool.chance)},
+                    {"cycles_per_block", q.pool.block},
                     {"members_told", q.pool.told},
                     {"members_that_hold_the_mean", q.pool.hold},
                     {"drift", number(q.drift.change)},

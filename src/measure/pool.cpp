@@ -28,11 +28,12 @@ Pool pool(Members members) {
   Pool result;
   Statistics means, expected;  // of the members' means, and their squared errors by their cycles
   double freedom = 0;
+  result.block = block_length(members);
   for (const auto& batches : members) {
     if (batches.empty()) continue;
-    const Statistics own = of(batches);
-    means.add(own.mean());
-    if (batches.size() < 2) continue;
+    means.add(of(batches).mean());
+    const Statistics own = of(blocks(batches, result.block));
+    if (own.weight() < 2) continue;
     expected.add(error_squared(own));
     freedom += own.weight() - 1;
   }
@@ -49,9 +50,9 @@ Pool pool(Members members) {
     result.chance = boost::math::cdf(boost::math::complement(law, result.ratio));
   }
   for (const auto& batches : members) {
-    const MeanEstimate own = mean_of_batches(batches);
-    result.told += std::isfinite(own.half_width);
-    result.hold += std::abs(own.mean - result.mean) <= own.half_width;
+    const double half_width = mean_of_batches(blocks(batches, result.block)).half_width;
+    result.told += std::isfinite(half_width);
+    result.hold += std::abs(of(batches).mean() - result.mean) <= half_width;
   }
   return result;
 }

@@ -2,12 +2,14 @@
 #include <span>
 #include <vector>
 
+#include "measure/blocks.hpp"
 #include "measure/cycles.hpp"
 
 namespace washtub {
 
 /// A quantity over several runs of one case that differ in their random start: each member's value
-/// in its whole cycles. Half widths are 95 %, NaN where they cannot be told.
+/// in its whole cycles, or in blocks of them that are independent (block_length()). Half widths are
+/// 95 %, NaN where they cannot be told.
 struct Pool {
   std::size_t members = 0;  ///< with a value
   double mean = 0;          ///< of the members' means, each counting alike
@@ -17,17 +19,16 @@ struct Pool {
   /// Variance of the members' means over what their cycles let expect; 1 on average where the
   /// cycles tell all, and the start does not matter.
   double ratio = 0;
-  double chance = 0;     ///< that the ratio comes out as large or larger then (F test)
-  std::size_t hold = 0;  ///< members whose own interval holds `mean`
-  std::size_t told = 0;  ///< members with an interval of their own
+  double chance = 0;      ///< that the ratio comes out as large or larger then (F test)
+  std::size_t hold = 0;   ///< members whose own interval holds `mean`
+  std::size_t told = 0;   ///< members with an interval of their own
+  std::size_t block = 1;  ///< cycles that count as one value
 
   /// Whether the intervals of single runs cover the spread between them: not where the chance of
   /// that spread is below 5 %. Unknown is false for both.
   bool covered() const { return chance >= 0.05; }
   bool not_covered() const { return chance < 0.05; }
 };
-
-using Members = std::span<const std::vector<double>>;  ///< batches of each
 
 /// Searle, Casella & McCulloch, Variance Components (1992), ch. 3, for one random factor.
 Pool pool(Members members);

@@ -22,11 +22,11 @@ double cells(const Case& whole) {
 /// A sum over all steps, over their number.
 double per_step(double sum, const RunSource& s) { return sum / static_cast<double>(s.end.steps); }
 
-/// Means of the stress in the batches of the statistics.
-MeanEstimate stress_mean(const ClothSource& s) {
+/// Of the mean stress; NaN where it is not known.
+double stress_half_width(const ClothSource& s) {
   for (const RunQuantity& q : cloth_quantities(s.whole, s.history))
-    if (q.name == names::stress) return mean_of_batches(q.batches);
-  return mean_of_batches({});
+    if (q.name == names::stress) return q.half_width().value_or(std::nan(""));
+  return std::nan("");
 }
 
 Json scaled(double value, const std::optional<Scales>& scale) {
@@ -286,13 +286,11 @@ const std::vector<DeclaredEntry<ClothSource>> cloth = {
     {{"stress, 95 % half width", pascal,
       "the true mean is within +- this with 95 % confidence, "
       "from the means of the cycles"},
-     [](const ClothSource& s) -> Json { return stress_mean(s).half_width; }},
+     [](const ClothSource& s) -> Json { return stress_half_width(s); }},
     {{"stress, 95 % half width / sigma_o", pure_number,
       "the same over the scale of stress, where there "
       "is one"},
-     [](const ClothSource& s) {
-       return scaled(stress_mean(s).half_width, washtub::scales(s.whole));
-     }},
+     [](const ClothSource& s) { return scaled(stress_half_width(s), washtub::scales(s.whole)); }},
     {{names::common_scatter, metre,
       "rms distance of all points of the cloth, in (r, z), from the "
       "mean over all pieces and the time"},

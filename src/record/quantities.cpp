@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "measure/blocks.hpp"
 #include "record/names.hpp"
 
 namespace washtub {
@@ -183,7 +184,7 @@ std::optional<Statistic> WindowedHistory::per_cycle(const std::string& column,
 }
 
 std::optional<double> RunQuantity::half_width() const {
-  const double width = mean_of_batches(batches).half_width;
+  const double width = mean_of_batches(independent_blocks(batches)).half_width;
   return std::isfinite(width) ? std::optional(width) : std::nullopt;
 }
 

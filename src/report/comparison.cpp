@@ -71,7 +71,8 @@ std::optional<AgainstFirst> against(const std::optional<RunQuantity>& first,
   const Paired both = pairs(*first, *other);
   result.paired = both.first.size() > 1;
   const DifferenceEstimate estimate =
-      result.paired ? paired(both.first, both.other) : welch(first->batches, other->batches);
+      result.paired ? paired(both.first, both.other)
+                    : welch(independent_blocks(first->batches), independent_blocks(other->batches));
   const double difference = result.paired ? estimate.difference : other->mean - first->mean;
   if (std::abs(difference) > rounding * std::max(magnitude(*first), magnitude(*other)))
     result.difference = difference;

@@ -169,6 +169,7 @@ export interface PooledQuantity {
   half_width_within: number | null; // by the cycles within them
   variance_ratio: number | null; // of the members' means, over what their cycles let expect
   chance: number | null; // of that or more, where the start does not matter
+  cycles_per_block: number; // that count as one value, since neighbours are correlated
   members_told: number; // that have an interval of their own
   members_that_hold_the_mean: number; // in it
   drift: number | null; // from the first cycle of the window to the last

@@ -61,7 +61,7 @@ function buildRow(row: PooledQuantity): HTMLElement {
   const within = scaled(row.half_width_within);
   const cells = [
     formatMean(row.mean * factor, half),
-    within === null ? '–' : formatNumber(within, 2),
+    within === null ? '–' : `${formatNumber(within, 2)}${blockText(row)}`,
     unit,
     spreadOf(row),
     driftOf(row),
@@ -76,6 +76,11 @@ function spreadOf({ variance_ratio: ratio, chance }: PooledQuantity): string | H
   if (ratio === null) return '–';
   const text = formatNumber(Math.sqrt(ratio), 2);
   return chance !== null && chance < 0.05 ? element('b', {}, text) : text;
+}
+
+/** Where neighbouring cycles are correlated, how many count as one. */
+function blockText({ cycles_per_block: block }: PooledQuantity): string {
+  return block > 1 ? ` (${block} cycles as one)` : '';
 }
 
 /** In per cent of the mean, from the first cycle to the last. */
