@@ -20,6 +20,18 @@ constexpr Plot group_plot(const char* curve, const char* statistic) {
   return plot;
 }
 
+constexpr Plot quantile_plot(const char* curve, const char* statistic) {
+  Plot plot = stress_plot(curve, statistic);
+  plot.title = "Stress that parts of the cloth stay below";
+  return plot;
+}
+
+constexpr Plot group_quantile_plot(const char* curve, const char* statistic) {
+  Plot plot = stress_plot(curve, statistic);
+  plot.title = "Stress that parts stay below, of";
+  return plot;
+}
+
 constexpr Plot torque_plot(const char* curve) {
   return {.fold = "Torque and energy",
           .title = "Torque on",
@@ -212,6 +224,15 @@ const std::vector<DeclaredColumn<Sample>> cloth = {
       "count in full"},
      [](const Sample& s) { return s.raw_stress; },
      stress_plot("raw", names::raw_stress)},
+    {{names::stress_50, pascal, "that 50 % of the cloth's area stay below at the instant"},
+     [](const Sample& s) { return s.quantiles[0]; },
+     quantile_plot("50 %", names::stress_50)},
+    {{names::stress_90, pascal, "that 90 % of the cloth's area stay below at the instant"},
+     [](const Sample& s) { return s.quantiles[1]; },
+     quantile_plot("90 %", names::stress_90)},
+    {{names::stress_99, pascal, "that 99 % of the cloth's area stay below at the instant"},
+     [](const Sample& s) { return s.quantiles[2]; },
+     quantile_plot("99 %", names::stress_99)},
     {{names::radius, metre, "distance of the pieces' centres from the axis, mean over the area"},
      [](const Sample& s) { return s.centre[0]; },
      {.fold = "Cloth",
@@ -270,6 +291,15 @@ const std::vector<DeclaredColumn<PieceSample>> group = {
     {{names::raw_stress, pascal, "the stress with the strains of the instant"},
      [](const PieceSample& p) { return p.raw_stress; },
      group_plot("raw", names::raw_stress)},
+    {{names::stress_50, pascal, "that 50 % of the group's area stay below at the instant"},
+     [](const PieceSample& p) { return p.quantiles[0]; },
+     group_quantile_plot("50 %", names::stress_50)},
+    {{names::stress_90, pascal, "that 90 % of the group's area stay below at the instant"},
+     [](const PieceSample& p) { return p.quantiles[1]; },
+     group_quantile_plot("90 %", names::stress_90)},
+    {{names::stress_99, pascal, "that 99 % of the group's area stay below at the instant"},
+     [](const PieceSample& p) { return p.quantiles[2]; },
+     group_quantile_plot("99 %", names::stress_99)},
     {{names::radius, metre, "distance of the pieces' centres from the axis, their mean"},
      [](const PieceSample& p) { return p.centre[0]; },
      {.fold = "Cloth",

@@ -144,6 +144,9 @@ void Observer<D>::observe_cloth(Sample& sample, const Interval& since) {
     }
     sample.groups.push_back(
         mean_of(std::span(sample.pieces).last(static_cast<std::size_t>(g.pieces))));
+    weighted_.clear();
+    add_stress(g);
+    sample.groups.back().quantiles = quantiles(weighted_, stress_parts);
   }
   if (area > 0) sample.centre /= area;
   const PieceSample mean = mean_of(sample.pieces);
@@ -151,7 +154,18 @@ void Observer<D>::observe_cloth(Sample& sample, const Interval& since) {
   sample.raw_stress = mean.raw_stress;
   sample.tension = mean.tension;
   sample.compression = mean.compression;
+  weighted_.clear();
+  for (const auto& g : simulation_.cloth().groups) add_stress(g);
+  sample.quantiles = quantiles(weighted_, stress_parts);
   collect(sample.pieces, since);
+}
+
+/// Adds the nodes of a group, with their areas, to those whose quantiles are looked for.
+template <int D>
+void Observer<D>::add_stress(const ClothGroup<D>& g) {
+  for (int i = 0; i < g.nodes(); ++i)
+    weighted_.push_back({total_[static_cast<std::size_t>(g.first_node + i)],
+                         g.sheet.area[static_cast<std::size_t>(i % g.sheet.nodes())]});
 }
 
 template <int D>

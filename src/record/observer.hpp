@@ -4,6 +4,7 @@
 
 #include "cloth/stress.hpp"
 #include "measure/cloth_statistics.hpp"
+#include "measure/quantiles.hpp"
 #include "record/exact.hpp"
 #include "record/extremes.hpp"
 #include "record/self_watch.hpp"
@@ -42,6 +43,7 @@ class Observer {
   SolidSample observe_solid(std::size_t solid, double time);
   void observe_cloth(Sample& s, const Interval& since);
   PieceSample observe_piece(const ClothGroup<D>& group, int piece);
+  void add_stress(const ClothGroup<D>& group);
   void collect(const std::vector<PieceSample>& pieces, const Interval& since);
   void observe_probes(Sample& s) const;
   void observe_rings(Sample& s) const;
@@ -55,6 +57,7 @@ class Observer {
   Strains strains_;  ///< of a piece now
   std::vector<NodeStress> node_stress_;
   std::vector<double> membrane_, bending_, total_;
+  std::vector<Weighted> weighted_;  ///< stress of nodes with their areas
   Extremes extremes_;
   SelfWatch<D> self_watch_;
 };

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <vector>
 
 #include "base/vec.hpp"
@@ -40,13 +41,18 @@ struct VelocityError {
   double rms = 0;
 };
 
-/// Centre and stress of one piece of cloth.
+/// What of the cloth's area a quantile of the stress stands for.
+inline constexpr std::array<double, 3> stress_parts = {0.5, 0.9, 0.99};
+using StressQuantiles = std::array<double, 3>;
+
+/// Centre and stress of one piece of cloth, or of a group.
 struct PieceSample {
-  Vec<2> centre;           ///< (r, z) [m]
-  StressParts stress;      ///< area means, membrane strains low-passed [Pa]
-  double tension = 0;      ///< its membrane part along edges, of those that are stretched [Pa]
-  double compression = 0;  ///< of those that are compressed [Pa]
-  double raw_stress = 0;   ///< the total with the strains of the instant [Pa]
+  Vec<2> centre;                ///< (r, z) [m]
+  StressParts stress;           ///< area means, membrane strains low-passed [Pa]
+  double tension = 0;           ///< its membrane part along edges, of those that are stretched [Pa]
+  double compression = 0;       ///< of those that are compressed [Pa]
+  double raw_stress = 0;        ///< the total with the strains of the instant [Pa]
+  StressQuantiles quantiles{};  ///< of groups only: what parts of its area stay below [Pa]
 };
 
 /// One row of history: the state at an instant and the means since the one before.
@@ -58,6 +64,7 @@ struct Sample {
   std::vector<PieceSample> groups;                      ///< means over the pieces of each
   StressParts stress;                                   ///< mean over the pieces [Pa]
   double tension = 0, compression = 0, raw_stress = 0;  ///< likewise
+  StressQuantiles quantiles{};                          ///< of all cloth [Pa]
   Vec<2> centre = Vec<2>::Zero();                       ///< (r, z) of all pieces [m]
   std::vector<Vec<3>> probes;                           ///< places of the case's probes [m]
   double enclosed_area = 0;                             ///< mean over the rings [m^2]

@@ -80,6 +80,10 @@ TEST(Observer, StressIsTheMeanOverThePieces) {
     EXPECT_NEAR(group[k], other[k], 1e-12 * other[2]);
   }
   EXPECT_NEAR(s.groups[1].centre[1], s.pieces[1].centre[1], 1e-15);
+  // Arcs have the same stress all along but at their ends, half of the cloth that of the flatter.
+  EXPECT_NEAR(s.groups[1].quantiles[0] / s.groups[0].quantiles[0], 2, 0.05);
+  EXPECT_LE(s.quantiles[0], 1.01 * s.groups[0].quantiles[2]);
+  EXPECT_DOUBLE_EQ(s.quantiles[2], s.groups[1].quantiles[2]);
 }
 
 TEST(Observer, RingsEncloseTheirArea) {
