@@ -15,6 +15,8 @@ struct Strains {
   std::array<std::vector<double>, 2> along;
   /// e_sr of the quads, likewise; none in 2-D.
   std::vector<double> shear;
+
+  std::size_t edges() const { return along[0].size() + along[1].size(); }
 };
 
 template <int D>

@@ -9,7 +9,7 @@
 namespace washtub {
 
 /// Of the names and meanings of what a checkpoint holds.
-inline constexpr int checkpoint_version = 6;
+inline constexpr int checkpoint_version = 7;
 
 /// What a checkpoint tells of the run that wrote it.
 struct CheckpointLabel {

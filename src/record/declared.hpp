@@ -18,6 +18,7 @@ inline constexpr Unit pure_number{};
 inline constexpr Unit metre{"m"};
 inline constexpr Unit second{"s"};
 inline constexpr Unit metre_per_second{"m/s"};
+inline constexpr Unit per_second{"1/s"};
 inline constexpr Unit pascal{"Pa"};
 inline constexpr Unit newton{"N", true};
 inline constexpr Unit newton_metre{"N m", true};

@@ -32,6 +32,20 @@ constexpr Plot group_quantile_plot(const char* curve, const char* statistic) {
   return plot;
 }
 
+constexpr Plot cycles_plot(const char* curve, const char* statistic) {
+  return {.fold = "Cloth",
+          .title = "Strain cycles",
+          .axis = "strain cycles",
+          .curve = curve,
+          .statistic = statistic};
+}
+
+constexpr Plot group_cycles_plot(const char* curve, const char* statistic) {
+  Plot plot = cycles_plot(curve, statistic);
+  plot.title = "Strain cycles of";
+  return plot;
+}
+
 constexpr Plot torque_plot(const char* curve) {
   return {.fold = "Torque and energy",
           .title = "Torque on",
@@ -233,6 +247,17 @@ const std::vector<DeclaredColumn<Sample>> cloth = {
     {{names::stress_99, pascal, "that 99 % of the cloth's area stay below at the instant"},
      [](const Sample& s) { return s.quantiles[2]; },
      quantile_plot("99 %", names::stress_99)},
+    {{names::strain_cycles_small, per_second,
+      "how often an edge of the cloth goes to and fro by at least 0.1 % of strain (rainflow count "
+      "of the low-passed strain at every step), per edge; since the row before"},
+     [](const Sample& s) { return s.strain_cycles[0]; },
+     cycles_plot("over 0.1 %", names::strain_cycles_small)},
+    {{names::strain_cycles_middle, per_second, "the same from 1 % on"},
+     [](const Sample& s) { return s.strain_cycles[1]; },
+     cycles_plot("over 1 %", names::strain_cycles_middle)},
+    {{names::strain_cycles_large, per_second, "the same from 5 % on"},
+     [](const Sample& s) { return s.strain_cycles[2]; },
+     cycles_plot("over 5 %", names::strain_cycles_large)},
     {{names::radius, metre, "distance of the pieces' centres from the axis, mean over the area"},
      [](const Sample& s) { return s.centre[0]; },
      {.fold = "Cloth",
@@ -300,6 +325,15 @@ const std::vector<DeclaredColumn<PieceSample>> group = {
     {{names::stress_99, pascal, "that 99 % of the group's area stay below at the instant"},
      [](const PieceSample& p) { return p.quantiles[2]; },
      group_quantile_plot("99 %", names::stress_99)},
+    {{names::strain_cycles_small, per_second, "of its edges, as of all cloth"},
+     [](const PieceSample& p) { return p.strain_cycles[0]; },
+     group_cycles_plot("over 0.1 %", names::strain_cycles_small)},
+    {{names::strain_cycles_middle, per_second, "likewise"},
+     [](const PieceSample& p) { return p.strain_cycles[1]; },
+     group_cycles_plot("over 1 %", names::strain_cycles_middle)},
+    {{names::strain_cycles_large, per_second, "likewise"},
+     [](const PieceSample& p) { return p.strain_cycles[2]; },
+     group_cycles_plot("over 5 %", names::strain_cycles_large)},
     {{names::radius, metre, "distance of the pieces' centres from the axis, their mean"},
      [](const PieceSample& p) { return p.centre[0]; },
      {.fold = "Cloth",

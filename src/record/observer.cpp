@@ -36,6 +36,10 @@ Observer<D>::Observer(Simulation<D>& simulation)
   if (simulation.definition().exact) exact_.emplace(*simulation.definition().exact);
   const auto n = simulation.cloth().position.size();
   for (auto* v : {&membrane_, &bending_, &total_}) v->resize(n);
+  for (const auto& g : simulation.cloth().groups) {
+    const std::size_t edges = g.pieces > 0 ? steady_.of_piece(g.first_piece).edges() : 0;
+    cycles_.emplace_back(edges * static_cast<std::size_t>(g.pieces));
+  }
 }
 
 template <int D>
@@ -115,6 +119,12 @@ PieceSample Observer<D>::observe_piece(const ClothGroup<D>& g, int p) {
 
 namespace {
 
+/// Of what closed in a span of time, per edge [1/s].
+double rate(double closed, std::size_t edges, const Interval& over) {
+  const double all = static_cast<double>(edges) * over.length();
+  return all > 0 ? closed / all : 0;
+}
+
 PieceSample mean_of(std::span<const PieceSample> all) {
   PieceSample mean{Vec<2>::Zero(), {}};
   const double pieces = static_cast<double>(all.size());
@@ -135,6 +145,7 @@ PieceSample mean_of(std::span<const PieceSample> all) {
 template <int D>
 void Observer<D>::observe_cloth(Sample& sample, const Interval& since) {
   double area = 0;
+  std::size_t edges = 0;
   for (const auto& g : simulation_.cloth().groups) {
     const double piece_area = std::accumulate(g.sheet.area.begin(), g.sheet.area.end(), 0.0);
     for (int p = 0; p < g.pieces; ++p) {
@@ -147,8 +158,16 @@ void Observer<D>::observe_cloth(Sample& sample, const Interval& since) {
     weighted_.clear();
     add_stress(g);
     sample.groups.back().quantiles = quantiles(weighted_, stress_parts);
+    Rainflow& cycles = cycles_[sample.groups.size() - 1];
+    const auto closed = cycles.take();
+    edges += cycles.signals();
+    for (std::size_t k = 0; k < closed.size(); ++k) {
+      sample.strain_cycles[k] += closed[k];
+      sample.groups.back().strain_cycles[k] = rate(closed[k], cycles.signals(), since);
+    }
   }
   if (area > 0) sample.centre /= area;
+  for (double& closed : sample.strain_cycles) closed = rate(closed, edges, since);
   const PieceSample mean = mean_of(sample.pieces);
   sample.stress = mean.stress;
   sample.raw_stress = mean.raw_stress;
@@ -158,6 +177,18 @@ void Observer<D>::observe_cloth(Sample& sample, const Interval& since) {
   for (const auto& g : simulation_.cloth().groups) add_stress(g);
   sample.quantiles = quantiles(weighted_, stress_parts);
   collect(sample.pieces, since);
+}
+
+/// Hands the strains of all edges to the counts of cycles.
+template <int D>
+void Observer<D>::count_cycles() {
+  const auto& groups = simulation_.cloth().groups;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    std::size_t signal = 0;
+    for (int p = 0; p < groups[g].pieces; ++p)
+      for (const auto& axis : steady_.of_piece(groups[g].first_piece + p).along)
+        for (const double strain : axis) cycles_[g].add(signal++, strain);
+  }
 }
 
 /// Adds the nodes of a group, with their areas, to those whose quantiles are looked for.
@@ -243,6 +274,7 @@ double Observer<D>::least_speed() const {
 template <int D>
 void Observer<D>::watch(const typename Simulation<D>::Step& step) {
   steady_.add(simulation_.cloth(), step.dt);
+  count_cycles();
   auto& e = extremes_;
   e.divergence = std::max(e.divergence, step.divergence);
   e.courant = std::max(e.courant, step.courant);
@@ -273,6 +305,7 @@ void Observer<D>::state(Archive& archive) {
   archive.value("extremes", extremes_);
   archive.value("sampled", sampled_);
   archive.value("steady", steady_);
+  archive.value("cycles", cycles_);
   archive.value("self-watch", self_watch_);
   // What was collected was over the window then, which may have been another one.
   if (archive.reading() && window(simulation_.definition()).begin >= sampled_)

@@ -43,6 +43,7 @@ class Observer {
   SolidSample observe_solid(std::size_t solid, double time);
   void observe_cloth(Sample& s, const Interval& since);
   PieceSample observe_piece(const ClothGroup<D>& group, int piece);
+  void count_cycles();
   void add_stress(const ClothGroup<D>& group);
   void collect(const std::vector<PieceSample>& pieces, const Interval& since);
   void observe_probes(Sample& s) const;
@@ -54,7 +55,8 @@ class Observer {
   std::optional<ExactSolution<D>> exact_;
   double sampled_;  ///< time of the last sample [s]
   SteadyStrains<D> steady_;
-  Strains strains_;  ///< of a piece now
+  std::vector<Rainflow> cycles_;  ///< of the strains of each group's edges
+  Strains strains_;               ///< of a piece now
   std::vector<NodeStress> node_stress_;
   std::vector<double> membrane_, bending_, total_;
   std::vector<Weighted> weighted_;  ///< stress of nodes with their areas

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "measure/rainflow.hpp"
 #include "measure/stress.hpp"
 #include "record/quality.hpp"
 
@@ -53,6 +54,9 @@ struct PieceSample {
   double compression = 0;       ///< of those that are compressed [Pa]
   double raw_stress = 0;        ///< the total with the strains of the instant [Pa]
   StressQuantiles quantiles{};  ///< of groups only: what parts of its area stay below [Pa]
+  /// Of groups only: strain cycles over strain_ranges that closed since the sample before, per edge
+  /// and time [1/s].
+  Rainflow::Counts strain_cycles{};
 };
 
 /// One row of history: the state at an instant and the means since the one before.
@@ -65,6 +69,7 @@ struct Sample {
   StressParts stress;                                   ///< mean over the pieces [Pa]
   double tension = 0, compression = 0, raw_stress = 0;  ///< likewise
   StressQuantiles quantiles{};                          ///< of all cloth [Pa]
+  Rainflow::Counts strain_cycles{};                     ///< likewise [1/s]
   Vec<2> centre = Vec<2>::Zero();                       ///< (r, z) of all pieces [m]
   std::vector<Vec<3>> probes;                           ///< places of the case's probes [m]
   double enclosed_area = 0;                             ///< mean over the rings [m^2]

@@ -261,7 +261,7 @@ INSTANTIATE_TEST_SUITE_P(
                "is damaged: its checksum is"},
         Damage{"seal", [](const std::string& p) { flip(p, 3); }, "is no checkpoint of washtub"},
         Damage{"version", [](const std::string& p) { flip(p, 19); },
-               "is of version 2, this program reads version 6"},
+               "is of version 3, this program reads version 7"},
         Damage{"cut", [](const std::string& p) { fs::resize_file(p, 2000); }, "is cut short: 2000"},
         Damage{"empty", [](const std::string& p) { fs::resize_file(p, 0); }, "is cut short"}),
     [](const auto& info) { return info.param.name; });
