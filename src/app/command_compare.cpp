@@ -34,7 +34,8 @@ std::string difference_text(const std::optional<AgainstFirst>& d, const CompareR
   const double width = *d->half_width * unit;
   const std::string value = as_exact(d->difference * unit, width);
   return fmt::format("{}{} {} +- {} {}{}", d->difference > 0 ? "+" : "", value, name,
-                     as_exact(width, width), name, *d->significant() ? " *" : "");
+                     as_exact(width, width), name,
+                     std::string(*d->significant() ? " *" : "") + (d->paired ? " =" : ""));
 }
 
 std::vector<TextRow> text_table(const RunComparison& comparison) {
@@ -73,7 +74,8 @@ int command_compare(const CompareArguments& arguments) {
   for (Compared& one : all) content.runs.push_back(std::move(one.run));
   const PageSize size = write_page(arguments.file, content, limit);
   print(text_table(comparison));
-  fmt::print("* significant at 95 %\n\n{}\n", fmt::join(comparison.sentences, "\n"));
+  fmt::print("* significant at 95 %; = of runs that start alike\n\n{}\n",
+             fmt::join(comparison.sentences, "\n"));
   fmt::print("\n{}: {:.1f} MB, {} frames\n", arguments.file, 1e-6 * static_cast<double>(size.bytes),
              size.frames);
   return 0;

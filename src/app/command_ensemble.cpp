@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 
 #include "app/commands.hpp"
 #include "app/directory.hpp"
 #include "app/launch.hpp"
+#include "app/ranks.hpp"
 #include "app/size.hpp"
 #include "app/start_point.hpp"
 #include "app/text_table.hpp"
@@ -17,6 +19,7 @@
 #include "ensemble/ensemble.hpp"
 #include "ensemble/members.hpp"
 #include "io/file.hpp"
+#include "io/lock.hpp"
 #include "record/stop.hpp"
 #include "report/page.hpp"
 
@@ -26,22 +29,33 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* page = "/ensemble.html";
+constexpr const char* numbers = "/pooled.json";
+
 /// @throws InputError where other things than an ensemble are in the way
-void prepare_folder(const std::string& directory) {
+void prepare_folder(const std::string& directory, bool force) {
   make_results_folder(directory);
   std::error_code none;
-  if (!is_ensemble(directory) && !fs::is_empty(directory, none))
+  if (!force && !is_ensemble(directory) && !fs::is_empty(directory, none))
     throw InputError(fmt::format(
         "{}: holds files that are of no ensemble; name another directory with -o", directory));
 }
 
-/// @throws InputError where a member that has begun is of another case
-void require_same_case(const std::string& directory, const Case& member) {
+/// Whether a member has begun and left what it takes to go on. One that only seems to be done is
+/// not kept.
+/// @throws InputError where it is of another case, or cannot go on to what the case says now
+bool has_begun(const std::string& directory, const Case& member) {
+  const fs::path folder = directory;
+  if (!fs::exists(folder / "log.txt")) return false;
   if (const auto differing = differing_case(directory, member); !differing.empty())
     throw InputError(
         fmt::format("{}: is of another case: {}; name another directory with -o, or make all "
                     "members anew with --force",
                     directory, fmt::join(differing, "; ")));
+  check_going_on(directory, member);
+  const bool sound = fs::exists(folder / "history.csv") && fs::exists(folder / "case.toml");
+  if (!sound || !is_complete(directory)) fs::remove(folder / finished_mark);
+  return sound;
 }
 
 /// The members' runs, one for each result. Those that have begun go on.
@@ -50,6 +64,7 @@ std::vector<BatchRun> member_runs(const EnsembleArguments& arguments,
                                   const std::string& directory, std::vector<RunResult>& results) {
   const CaseArguments& input = arguments.input;
   const Case whole = read_case(input.path, input.settings);
+  choose_ranks(arguments.ranks, whole);
   results.resize(seeds.size());
   std::vector<BatchRun> runs;
   for (std::size_t i = 0; i < seeds.size(); ++i) {
@@ -58,14 +73,13 @@ std::vector<BatchRun> member_runs(const EnsembleArguments& arguments,
     std::vector<std::string> settings = input.settings;
     for (auto& setting : member_settings(whole, seeds[i])) settings.push_back(std::move(setting));
     const Case member = read_case(input.path, settings);
-    const bool begun = !arguments.force && fs::exists(fs::path(results[i].directory) / "log.txt");
-    if (begun) require_same_case(results[i].directory, member);
-    std::vector<std::string> words = {"run",         input.path,
-                                      "-o",          results[i].directory,
-                                      "-n",          std::to_string(arguments.ranks),
-                                      "--no-report", begun ? "--resume" : "--force"};
+    const bool begun = !arguments.force && has_begun(results[i].directory, member);
+    std::vector<std::string> words = {
+        "run",        input.path, "-o", results[i].directory, "-n", std::to_string(arguments.ranks),
+        "--no-report"};
     for (const std::string& setting : settings) words.insert(words.end(), {"--set", setting});
-    runs.push_back({name, std::move(words), {{"case", member.resolved}}, 0, true, &results[i]});
+    words.emplace_back(begun ? "--resume" : "--force");
+    runs.push_back({name, words, words, "", {{"case", member.resolved}}, 0, true, &results[i]});
   }
   return runs;
 }
@@ -96,17 +110,29 @@ std::vector<TextRow> text_table(const Ensemble& ensemble) {
   return table;
 }
 
-void report(const Ensemble& ensemble, std::size_t limit) {
-  replace_file(ensemble.directory + "/pooled.json", to_json(ensemble).dump(2) + '\n');
-  PageContent content{program_name, ensemble.runs, nullptr, to_json(ensemble)};
-  const std::string page = ensemble.directory + "/ensemble.html";
-  write_page(page, content, limit);
-  fmt::print("{} members: seeds {}\n", ensemble.runs.size(), fmt::join(ensemble.seeds, ", "));
+void print_pooled(const Ensemble& ensemble) {
+  fmt::print("seeds {}\n", fmt::join(ensemble.seeds, ", "));
   print(text_table(ensemble));
   fmt::print(
       "spread: of the members' means, over what their cycles let expect; * more than chance, at "
-      "95 %\n\n{}\n\n{}\n",
-      fmt::join(sentences(ensemble), "\n"), page);
+      "95 %\n\n{}\n",
+      fmt::join(sentences(ensemble), "\n"));
+}
+
+/// Writes numbers and page, and prints what they say; false where the page cannot be made.
+bool report(const Ensemble& ensemble, std::size_t limit) {
+  replace_file(ensemble.directory + numbers, pooled_json(ensemble).dump(2) + '\n');
+  print_pooled(ensemble);
+  try {
+    write_page(ensemble.directory + page, {program_name, ensemble.runs, nullptr, to_json(ensemble)},
+               limit);
+  } catch (const InputError& error) {
+    std::fflush(stdout);
+    fmt::print(stderr, "washtub: {}\n", error.what());
+    return false;
+  }
+  fmt::print("\n{}{}\n", ensemble.directory, page);
+  return true;
 }
 
 }  // namespace
@@ -119,24 +145,24 @@ int command_ensemble(const EnsembleArguments& arguments) {
                                     : arguments.directory;
   std::vector<RunResult> results;
   const std::vector<BatchRun> runs = member_runs(arguments, seeds, directory, results);
-  prepare_folder(directory);
+  prepare_folder(directory, arguments.force);
+  const DirectoryLock lock(directory);
+  for (const char* old : {page, numbers}) fs::remove(directory + old);
   write_members(directory, seeds);
   install_stop_handlers();
   const int cores = std::max(1, physical_cores() / arguments.ranks);
   make_batch(runs, {own_program(), arguments.jobs.value_or(cores), arguments.force, stop_requested,
                     [](const std::string& line) { fmt::print(stderr, "{}\n", line); }});
-  std::vector<std::uint64_t> finished;
-  for (std::size_t i = 0; i < seeds.size(); ++i)
-    if (results[i].finished()) finished.push_back(seeds[i]);
-  if (!finished.empty()) {
-    write_members(directory, finished);
-    report(read_ensemble(directory), limit);
-  }
+  const auto finished = std::count_if(results.begin(), results.end(),
+                                      [](const RunResult& r) { return r.finished(); });
+  const bool shown = finished == 0 || report(read_ensemble(directory), limit);
+  std::fflush(stdout);
   if (stop_requested()) {
     fmt::print(stderr, "washtub: stopped; the same command goes on with what is unfinished\n");
     return exit_stopped;
   }
-  return finished.size() == seeds.size() ? exit_done : exit_failed;
+  if (finished < static_cast<long>(seeds.size())) return exit_failed;
+  return shown ? exit_done : exit_no_report;
 }
 
 }  // namespace washtub

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "base/error.hpp"
+#include "batch/batch.hpp"
 
 namespace washtub {
 
@@ -40,7 +41,7 @@ namespace {
 /// Everything that is written of a run, but for case.toml, from which it may be about to start.
 constexpr const char* results[] = {"history.csv", "tracks.csv",     "summary.json", "log.txt",
                                    "frames.xdmf", "paraview.xdmf2", "frames",       "report.html",
-                                   "movie.mp4",   "checkpoints"};
+                                   "movie.mp4",   "checkpoints",    finished_mark};
 
 /// Whether there is anything but our lock in the directory.
 bool holds_files(const std::string& directory) {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/launch.hpp"
-#include "base//error.hpp"
+#include "base/error.hpp"
 
 namespace washtub {
 

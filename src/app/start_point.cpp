@@ -12,6 +12,7 @@
 #include "app/directory.hpp"
 #include "base/error.hpp"
 #include "base/settings.hpp"
+#include "batch/batch.hpp"
 #include "io/checkpoint.hpp"
 #include "io/file.hpp"
 
@@ -88,23 +89,30 @@ std::vector<std::string> check_case(const std::string& checkpoint, const Case& w
   return differing;
 }
 
+}  // namespace
+
+bool is_complete(const std::string& directory) {
+  std::ifstream file(fs::path(directory) / "summary.json");
+  const auto summary = nlohmann::json::parse(file, nullptr, false);
+  const nlohmann::json::json_pointer outcome("/run/outcome");
+  return !summary.is_discarded() && summary.value(outcome, std::string()) == "complete";
+}
+
+namespace {
+
 /// Whether a run of the same case has begun in a directory, but has not computed for much longer
 /// than it takes to a first checkpoint, and has not ended by itself: little is lost if it starts
 /// anew.
 bool hardly_begun(const std::string& directory, const Case& whole) {
   const fs::path folder = directory;
   std::error_code none;
+  if (!fs::exists(folder / "case.toml") || !differing_case(directory, whole).empty()) return false;
   if (!fs::exists(folder / "history.csv") && !fs::exists(folder / "summary.json") &&
       fs::exists(folder / "log.txt"))
     return true;
   const auto begun = fs::last_write_time(folder / "case.toml", none);
   const auto written = fs::last_write_time(folder / "history.csv", none);
-  if (none) return false;
-  if (!differing_case(directory, whole).empty()) return false;
-  std::ifstream file(folder / "summary.json");
-  const auto summary = nlohmann::json::parse(file, nullptr, false);
-  const nlohmann::json::json_pointer outcome("/run/outcome");
-  if (!summary.is_discarded() && summary.value(outcome, std::string()) == "complete") return false;
+  if (none || is_complete(directory)) return false;
   const std::chrono::duration<double> computed = written - begun;
   return computed.count() <= 2 * std::max(whole.checkpoint.wall_time, 60.0);
 }
@@ -146,8 +154,12 @@ std::vector<std::string> differing_case(const std::string& directory, const Case
   const std::string there = (fs::path(directory) / "case.toml").string();
   if (!fs::exists(there)) return {};
   auto differing = differences(physics(read_file(there), there), physics(whole.resolved, "case"));
-  std::erase_if(differing, is_remedy_sentence);
+  if (!is_complete(directory)) std::erase_if(differing, is_remedy_sentence);
   return differing;
+}
+
+void check_going_on(const std::string& directory, const Case& whole) {
+  if (!Checkpoints(directory, 1).list().empty()) check_case(newest_of(directory), whole);
 }
 
 void settle_directory(RunArguments& arguments) {
@@ -213,6 +225,7 @@ DirectoryLock prepare_start(const RunArguments& arguments, const Case& whole, Ru
     return start_anew(arguments, whole, options);
   DirectoryLock lock(options.directory);
   remove_unfinished(options.directory);
+  fs::remove(fs::path(options.directory) / finished_mark);
   options.resumed = newest_of(options.directory);
   options.changes = check_case(options.resumed, whole);
   return lock;

@@ -19,8 +19,18 @@ void settle_directory(RunArguments& arguments);
 [[nodiscard]] DirectoryLock prepare_start(const RunArguments& arguments, const Case& whole,
                                           RunOptions& options);
 
-/// How a case differs from the one whose results a directory holds, as sentences, but for what may
-/// change when a run goes on; none where it holds no case.
+/// Whether a directory holds a run that has reached its end.
+bool is_complete(const std::string& directory);
+
+/// How a case differs from the one whose results a directory holds, as sentences; none where it
+/// holds no case. What may change when a run goes on does not count: what it writes, how long it
+/// runs, and, where that has not reached its end, what the reasons for which a run gives up ask to
+/// change.
 std::vector<std::string> differing_case(const std::string& directory, const Case& whole);
+
+/// Whether a run can go on to what a case says now from the newest checkpoint of a directory, if
+/// there is one.
+/// @throws InputError where it cannot
+void check_going_on(const std::string& directory, const Case& whole);
 
 }  // namespace washtub

@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* mark = "finished.json";  ///< in the folder of a run that is whole
+constexpr const char* begun = "begun.json";  ///< in the folder of a run that has begun
 constexpr const char* console = "console.txt";
 constexpr const char* wall_key = "wall time [s]";
 
@@ -30,13 +30,20 @@ std::string content(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
+/// What a file in the folder of a run says, where that is of the run as it would be made now.
+Json note(const BatchRun& run, const char* file) {
+  const Json found = Json::parse(content(run.result->directory + '/' + file), nullptr, false);
+  if (!found.is_object()) return nullptr;
+  for (const auto& [key, value] : run.fingerprint.items())
+    if (!found.contains(key) || found[key] != value) return nullptr;
+  return found;
+}
+
 /// Takes over the run if its folder holds it as it would be made now.
 bool keep(const BatchRun& run, const BatchPlan& plan) {
   RunResult& result = *run.result;
-  const Json found = Json::parse(content(result.directory + '/' + mark), nullptr, false);
-  if (plan.force || !found.is_object() || !found.contains(wall_key)) return false;
-  for (const auto& [key, value] : run.fingerprint.items())
-    if (!found.contains(key) || found[key] != value) return false;
+  const Json found = note(run, finished_mark);
+  if (plan.force || !found.contains(wall_key)) return false;
   result.state = RunState::kept;
   result.wall = found[wall_key].is_number() ? found[wall_key].get<double>() : std::nan("");
   return true;
@@ -60,20 +67,34 @@ void finish(const BatchRun& run, const BatchPlan& plan, int code, double wall) {
                  : code == exit_stopped || plan.stop() ? RunState::stopped
                                                        : RunState::failed;
   if (result.state == RunState::failed) {
-    result.error = error_line(result.directory + '/' + console);
+    result.error = code > 128 ? fmt::format("ended by signal {}", code - 128)
+                              : error_line(result.directory + '/' + console);
     if (result.error.empty()) result.error = fmt::format("ended with code {}", code);
   }
   if (code != 0) return;
   Json print = run.fingerprint;
   print[wall_key] = wall;
-  replace_file(result.directory + '/' + mark, print.dump(2) + '\n');
+  replace_file(result.directory + '/' + finished_mark, print.dump(2) + '\n');
 }
 
 void make_folder(const std::string& directory) {
   std::error_code error;
   fs::create_directories(directory, error);
   if (error) throw RunError(fmt::format("{}: cannot be made: {}", directory, error.message()));
-  fs::remove(fs::path(directory) / mark, error);
+  fs::remove(fs::path(directory) / finished_mark, error);
+}
+
+/// The command of a run, whose folder notes that it begins.
+Job begin(const BatchRun& run, const BatchPlan& plan) {
+  const std::string& directory = run.result->directory;
+  make_folder(directory);
+  const bool goes_on = !plan.force && !run.trace.empty() && !note(run, begun).is_null() &&
+                       fs::exists(fs::path(directory) / run.trace);
+  if (!goes_on) replace_file(directory + '/' + begun, run.fingerprint.dump(2) + '\n');
+  Job job{{plan.program}, directory + '/' + console};
+  const auto& words = goes_on ? run.again : run.words;
+  job.words.insert(job.words.end(), words.begin(), words.end());
+  return job;
 }
 
 /// Those that have to be made, the longest first.
@@ -120,12 +141,7 @@ std::string hash_of_file(const std::string& path) {
 void make_batch(const std::vector<BatchRun>& runs, const BatchPlan& plan) {
   const auto made = missing(runs, plan);
   std::vector<Job> jobs;
-  for (const BatchRun* run : made) {
-    make_folder(run->result->directory);
-    Job job{{plan.program}, run->result->directory + '/' + console};
-    job.words.insert(job.words.end(), run->words.begin(), run->words.end());
-    jobs.push_back(std::move(job));
-  }
+  for (const BatchRun* run : made) jobs.push_back(begin(*run, plan));
   const auto started = [&](std::size_t i) {
     plan.progress(fmt::format("{}: started, {} of {}", made[i]->name, i + 1, made.size()));
   };

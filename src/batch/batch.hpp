@@ -7,6 +7,9 @@
 
 namespace washtub {
 
+/// File in the folder of a run that is whole. Whoever writes there anew removes it.
+inline constexpr const char* finished_mark = "finished.json";
+
 enum class RunState {
   done,
   kept,  ///< finished earlier, with the same fingerprint
@@ -31,6 +34,8 @@ struct RunResult {
 struct BatchRun {
   std::string name;                    ///< in what is said of it
   std::vector<std::string> words;      ///< the command, after the name of the program
+  std::vector<std::string> again;      ///< the same to go on with what was interrupted
+  std::string trace;                   ///< file that the command leaves once it has begun; "": none
   nlohmann::ordered_json fingerprint;  ///< object of all that decides what it computes
   double cost = 0;                     ///< about how long it takes [s]; 0: not known
   bool wanted = true;                  ///< else it is only looked for

@@ -10,8 +10,10 @@ namespace washtub {
 template <int D>
 struct ClothMoment {
   const std::vector<Vec<D>>& position;  ///< X^n [m]
-  /// With which the water carries the nodes, 0 at pinned ones [m/s]. Forces between sheets that
-  /// cancel in the water do not change it, so that one against it does not feed on itself.
+  /// With which the water carries the nodes, 0 at pinned ones [m/s]; in explicit schemes that of
+  /// the step before, with what they move through it where it lets water through. Forces between
+  /// sheets that cancel in the water do not change it, so that one against it does not feed on
+  /// itself.
   const std::vector<Vec<D>>& velocity;
   double dt;  ///< length of the step that begins [s]
 };

@@ -44,6 +44,11 @@ void foresee(PooledQuantity& quantity) {
       static_cast<double>(quantity.pool.block) * count_for(std::sqrt(variances.mean()), width);
 }
 
+/// What tells runs that start alike: the seed of the first group of cloth.
+std::uint64_t start_of(const RunRecord& run, std::uint64_t member) {
+  return run.definition && !run.definition->cloth.empty() ? run.definition->cloth[0].seed : member;
+}
+
 /// The quantities in the order in which the members name them.
 std::vector<PooledQuantity> pool_all(const std::vector<std::uint64_t>& seeds,
                                      const std::vector<RunRecord>& runs) {
@@ -58,17 +63,13 @@ std::vector<PooledQuantity> pool_all(const std::vector<std::uint64_t>& seeds,
         at->about = own;
         at->about.batches.clear();
       }
-      at->about.seeds.push_back(seeds[i]);
+      at->about.seeds.push_back(start_of(runs[i], seeds[i]));
       at->about.batches.push_back(own.mean);
       at->batches.push_back(std::move(own.batches));
     }
   for (PooledQuantity& quantity : all) {
-    // A member without a whole cycle counts with what it has.
-    std::vector<std::vector<double>> values = quantity.batches;
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (values[i].empty()) values[i] = {quantity.about.batches[i]};
-    quantity.pool = pool(values);
-    quantity.drift = drift(values);
+    quantity.pool = pool(quantity.about.batches, quantity.batches);
+    quantity.drift = drift(quantity.batches);
     quantity.about.mean = quantity.pool.mean;
     foresee(quantity);
   }
@@ -105,12 +106,15 @@ Ensemble read_ensemble(const std::string& directory) {
     throw InputError(
         fmt::format("{}: is damaged; washtub ensemble writes it anew", list_path(directory)));
   std::vector<RunRecord> runs;
+  std::vector<std::uint64_t> missing;
   for (const std::uint64_t seed : seeds) {
     const std::string member = (fs::path(directory) / member_name(seed)).string();
     std::error_code none;
+    missing.push_back(seed);
     if (!fs::exists(fs::path(member) / "summary.json", none)) continue;
     RunRecord run = read_run(member);
-    if (outcome(run) != "complete") continue;
+    if (outcome(run) != "complete" || !run.definition || !run.history) continue;
+    missing.pop_back();
     found.push_back(seed);
     runs.push_back(std::move(run));
   }
@@ -118,10 +122,13 @@ Ensemble read_ensemble(const std::string& directory) {
     throw InputError(fmt::format(
         "{}: none of its {} members has reached its end; washtub ensemble goes on with them",
         directory, seeds.size()));
-  return {directory, std::move(found), std::move(runs)};
+  Ensemble ensemble(directory, std::move(found), std::move(runs));
+  ensemble.missing = std::move(missing);
+  return ensemble;
 }
 
 Compared compared(Ensemble&& ensemble) {
+  if (ensemble.runs.size() == 1) return Compared(std::move(ensemble.runs.front()));
   std::vector<RunQuantity> quantities;
   for (PooledQuantity& quantity : ensemble.quantities)
     quantities.push_back(std::move(quantity.about));
@@ -154,9 +161,39 @@ Json to_json(const Ensemble& ensemble) {
   const auto members = static_cast<double>(ensemble.runs.size());
   return {{"name", ensemble.name},
           {"seeds", ensemble.seeds},
+          {"missing", ensemble.missing},
           {"student", members > 1 ? Json(student_95(members - 1)) : Json()},
           {"rows", rows},
           {"sentences", sentences(ensemble)}};
+}
+
+Json pooled_json(const Ensemble& ensemble) {
+  Json all = {
+      {"seeds", ensemble.seeds}, {"missing", ensemble.missing}, {"sentences", sentences(ensemble)}};
+  for (const PooledQuantity& q : ensemble.quantities) {
+    const std::string unit = q.about.unit.empty() ? "" : " [" + q.about.unit + "]";
+    Json& entry = all[q.about.name];
+    entry = {{"mean" + unit, q.pool.mean},
+             {"95 % half width" + unit, number(q.pool.half_width)},
+             {"95 % half width by cycles" + unit, number(q.pool.within)},
+             {"standard deviation of members" + unit, number(q.pool.deviation)},
+             {"members" + unit, q.about.batches},
+             {"seeds", q.about.seeds},
+             {"variance of members over what cycles let expect", number(q.pool.ratio)},
+             {"chance of that or more", number(q.pool.chance)},
+             {"cycles that count as one", q.pool.block},
+             {"members with an interval", q.pool.told},
+             {"members whose interval holds the mean", q.pool.hold},
+             {"drift over the window" + unit, number(q.drift.change)},
+             {"drift, 95 % half width" + unit, number(q.drift.half_width)},
+             {"seeds for 5 %", number(q.seeds_wanted)},
+             {"cycles for 5 %", number(q.cycles_wanted)}};
+    if (q.about.scale_name.empty()) continue;
+    const std::string scaled = " / " + q.about.scale_name;
+    entry["mean" + scaled] = q.pool.mean / q.about.scale;
+    entry["95 % half width" + scaled] = number(q.pool.half_width / q.about.scale);
+  }
+  return all;
 }
 
 }  // namespace washtub

@@ -39,26 +39,49 @@ std::string names_of(const Quantities& all) {
   return joined(std::move(names));
 }
 
-bool is_known(const PooledQuantity& q) { return std::isfinite(q.pool.half_width); }
-
 bool is_alike(const PooledQuantity& q) {
   return !(q.pool.deviation > 1e-9 * std::abs(q.pool.mean));
 }
 
+std::string missing_sentence(const Ensemble& ensemble) {
+  if (ensemble.missing.empty()) return "";
+  std::vector<std::string> seeds;
+  for (const auto seed : ensemble.missing) seeds.push_back(std::to_string(seed));
+  return fmt::format(
+      "Not all members have reached their end; left out: seed {}. Where those fail that are "
+      "strained "
+      "most, what is left is biased.",
+      joined(std::move(seeds)));
+}
+
+std::size_t testable(const Ensemble& ensemble) {
+  return where(ensemble, [](const auto& q) { return std::isfinite(q.pool.chance); }).size();
+}
+
+/// How many quantities seem significant at 95 % where none is.
+double by_chance(const Ensemble& ensemble) {
+  return std::round(0.05 * static_cast<double>(testable(ensemble)));
+}
+
 std::string cover_sentence(const Ensemble& ensemble) {
   const Quantities wider = where(ensemble, [](const auto& q) { return q.pool.not_covered(); });
+  if (testable(ensemble) == 0)
+    return "Whether the cycles of one run tell as much as other starts do cannot be told: the "
+           "members have fewer than two whole cycles in the window.";
   if (wider.empty())
-    return "The intervals of single runs cover the spread between them: their cycles tell as much "
-           "as other starts do.";
+    return "The intervals of single runs cover the spread between them: nothing shows that their "
+           "cycles tell less than other starts do.";
   const auto worst =
       *std::max_element(wider.begin(), wider.end(),
                         [](const auto* a, const auto* b) { return a->pool.ratio < b->pool.ratio; });
-  const auto all = static_cast<double>(ensemble.quantities.size());
   return fmt::format(
       "The intervals of single runs are too narrow for {}: the members differ more than their "
-      "cycles let expect ({} {:.2g} times). Trust the interval between the members there; longer "
-      "runs of one start do not replace it. (Of {} quantities about {:.0f} seem so by chance.)",
-      names_of(wider), worst->about.name, std::sqrt(worst->pool.ratio), all, std::ceil(0.05 * all));
+      "cycles let expect ({} {:.2g} times). Trust the interval between the members there: what one "
+      "start does lasts longer than its window, or for ever. (Of {} quantities about {:.0f} seem "
+      "so "
+      "by chance.)",
+      names_of(wider), worst->about.name, std::sqrt(worst->pool.ratio), ensemble.quantities.size(),
+      by_chance(ensemble));
 }
 
 std::string drift_sentence(const Ensemble& ensemble) {
@@ -69,25 +92,31 @@ std::string drift_sentence(const Ensemble& ensemble) {
   std::vector<std::string> parts;
   for (const auto* q : moving)
     parts.push_back(
-        fmt::format("{} {:+.2g} %", q->about.name, 100 * q->drift.change / std::abs(q->pool.mean)));
+        fmt::format("{} {:+.0f} %", q->about.name, 100 * q->drift.change / std::abs(q->pool.mean)));
   return fmt::format(
       "From the first cycle of the window to the last these drift: {}. The window may begin too "
-      "early; try a later output.window.",
-      joined(std::move(parts)));
+      "early; try new runs with a later output.window. (Of {} quantities about {:.0f} seem so by "
+      "chance.)",
+      joined(std::move(parts)), testable(ensemble), by_chance(ensemble));
 }
 
+/// Of the first quantity whose mean is known and not 0.
 std::string wanted_sentence(const Ensemble& ensemble) {
-  const Quantities known = where(ensemble, is_known);
+  const Quantities known = where(
+      ensemble, [](const auto& q) { return std::isfinite(q.pool.half_width) && q.pool.mean != 0; });
   if (known.empty()) return "";
-  const auto* first = known.front();
-  const auto& q = *first;
+  const PooledQuantity& q = *known.front();
   const double now = 100 * q.pool.half_width / std::abs(q.pool.mean);
-  std::string text =
-      fmt::format("{} is known to within {:.2g} % now; to within 5 % takes about {:.0f} members",
-                  q.about.name, now, q.seeds_wanted);
-  if (std::isfinite(q.cycles_wanted))
-    text += fmt::format(", or one run of about {:.0f} cycles in the window", q.cycles_wanted);
-  return text + '.';
+  const std::string text =
+      fmt::format("{} is known to within {:.{}f} %", q.about.name, now, now < 10 ? 1 : 0);
+  if (now <= 5) return text + '.';
+  const auto count = [](double n) {
+    return n >= 1e6 ? "over a million" : fmt::format("{:.0f}", n);
+  };
+  return fmt::format("{}; 5 % take about {} members{}.", text, count(q.seeds_wanted),
+                     std::isfinite(q.cycles_wanted)
+                         ? fmt::format(", or one run of {} cycles", count(q.cycles_wanted))
+                         : "");
 }
 
 }  // namespace
@@ -98,8 +127,9 @@ std::vector<std::string> sentences(const Ensemble& ensemble) {
   if (ensemble.quantities.empty()) return {"The members have no statistics."};
   if (where(ensemble, is_alike).size() == ensemble.quantities.size())
     return {"All members are the same: nothing in this case depends on the seed."};
-  std::vector<std::string> all = {cover_sentence(ensemble)};
-  for (std::string text : {drift_sentence(ensemble), wanted_sentence(ensemble)})
+  std::vector<std::string> all;
+  for (std::string text : {missing_sentence(ensemble), cover_sentence(ensemble),
+                           drift_sentence(ensemble), wanted_sentence(ensemble)})
     if (!text.empty()) all.push_back(std::move(text));
   return all;
 }

@@ -10,18 +10,17 @@ namespace {
 constexpr double one_sided = 1.645;  // 95 % point of the normal law
 constexpr std::size_t least = 2;     // blocks of a run that are left
 
-/// Correlation of neighbouring values, and how many pairs it rests on. That of independent values
-/// is -1/n on average, since each deviates from the mean of all n; it is taken off.
+/// Correlation of neighbouring values and its standard error. That of n independent ones is -1/n on
+/// average, since each deviates from the mean of all, which is taken off, with the variance
+/// (n - 2)^2 / (n^2 (n - 1)) (Moran, Biometrika 35, 1948).
 struct Correlation {
-  double value = 0;
-  double pairs = 0;
+  double value = 0, error = 0;
 
-  bool significant() const { return value > one_sided / std::sqrt(pairs); }
+  bool significant() const { return value > one_sided * error; }
 };
 
 Correlation neighbours(const std::vector<std::vector<double>>& members) {
-  double products = 0, squares = 0, bias = 0;
-  Correlation result;
+  double products = 0, squares = 0, bias = 0, variance = 0, pairs = 0;
   for (const auto& values : members) {
     const auto n = static_cast<double>(values.size());
     const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
@@ -31,10 +30,11 @@ Correlation neighbours(const std::vector<std::vector<double>>& members) {
     }
     if (values.size() < 2) continue;
     bias += (n - 1) / n;
-    result.pairs += n - 1;
+    variance += (n - 1) * (n - 2) * (n - 2) / (n * n);
+    pairs += n - 1;
   }
-  if (squares > 0) result.value = products / squares + bias / result.pairs;
-  return result;
+  if (!(squares > 0)) return {};
+  return {products / squares + bias / pairs, std::sqrt(variance) / pairs};
 }
 
 }  // namespace

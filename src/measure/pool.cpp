@@ -24,71 +24,71 @@ double error_squared(const Statistics& values) {
 
 }  // namespace
 
-Pool pool(Members members) {
+Pool pool(std::span<const double> values, Members batches) {
   Pool result;
-  Statistics means, expected;  // of the members' means, and their squared errors by their cycles
+  result.block = block_length(batches);
+  const Statistics means = of(values);
+  Statistics expected;  // squared errors of the members by their cycles
   double freedom = 0;
-  result.block = block_length(members);
-  for (const auto& batches : members) {
-    if (batches.empty()) continue;
-    means.add(of(batches).mean());
-    const Statistics own = of(blocks(batches, result.block));
-    if (own.weight() < 2) continue;
-    expected.add(error_squared(own));
-    freedom += own.weight() - 1;
+  for (std::size_t m = 0; m < values.size(); ++m) {
+    const auto own = blocks(batches[m], result.block);
+    if (own.size() < 2) continue;
+    expected.add(error_squared(of(own)));
+    freedom += static_cast<double>(own.size()) - 1;
+    ++result.told;
+    result.hold += std::abs(values[m] - means.mean()) <= mean_of_batches(own).half_width;
   }
   const double n = means.weight();
-  result.members = static_cast<std::size_t>(n);
+  result.members = values.size();
   result.mean = means.mean();
   result.deviation = n < 2 ? unknown : means.deviation() * std::sqrt(n / (n - 1));
   result.half_width = n < 2 ? unknown : student_95(n - 1) * result.deviation / std::sqrt(n);
   result.within = freedom > 0 ? student_95(freedom) * std::sqrt(expected.mean() / n) : unknown;
   result.ratio = result.deviation * result.deviation / expected.mean();
   result.chance = unknown;
+  if (std::isinf(result.ratio)) result.chance = 0;  // cycles that are all alike, and members not
   if (freedom > 0 && std::isfinite(result.ratio)) {
     const boost::math::fisher_f law(n - 1, freedom);
     result.chance = boost::math::cdf(boost::math::complement(law, result.ratio));
   }
-  for (const auto& batches : members) {
-    const double half_width = mean_of_batches(blocks(batches, result.block)).half_width;
-    result.told += std::isfinite(half_width);
-    result.hold += std::abs(of(batches).mean() - result.mean) <= half_width;
-  }
   return result;
 }
 
-Drift drift(Members members) {
-  double products = 0, squares = 0, longest = 0, freedom = -1;
+Drift drift(Members batches) {
+  const std::size_t block = block_length(batches);
+  std::vector<std::vector<double>> members;
+  double longest = 0, freedom = -1;
+  for (const auto& all : batches) {
+    longest = std::max(longest, static_cast<double>(all.size()) - 1);
+    members.push_back(blocks(all, block));
+    if (members.back().size() > 1) freedom += static_cast<double>(members.back().size()) - 1;
+  }
   const auto for_each = [&](const auto& visit) {
-    for (const auto& batches : members) {
-      const double mean = of(batches).mean(),
-                   middle = 0.5 * (static_cast<double>(batches.size()) - 1);
-      for (std::size_t i = 0; i < batches.size(); ++i)
-        visit(static_cast<double>(i) - middle, batches[i] - mean);
+    for (const auto& values : members) {
+      const double mean = of(values).mean(),
+                   middle = 0.5 * (static_cast<double>(values.size()) - 1);
+      for (std::size_t i = 0; i < values.size(); ++i)
+        visit(static_cast<double>(i) - middle, values[i] - mean);
     }
   };
-  for (const auto& batches : members) {
-    if (batches.size() < 2) continue;
-    longest = std::max(longest, static_cast<double>(batches.size()) - 1);
-    freedom += static_cast<double>(batches.size()) - 1;
-  }
+  double products = 0, squares = 0, rest = 0;
   for_each([&](double time, double value) {
     products += time * value;
     squares += time * time;
   });
   if (!(squares > 0)) return {unknown, unknown};
   const double slope = products / squares;
-  double rest = 0;
   for_each([&](double time, double value) { rest += std::pow(value - slope * time, 2); });
   const double error =
       freedom < 1 ? unknown : student_95(freedom) * std::sqrt(rest / freedom / squares);
-  return {slope * longest, error * longest};
+  const double span = longest / static_cast<double>(block);
+  return {slope * span, error * span};
 }
 
 double count_for(double deviation, double wanted) {
   if (!(deviation >= 0 && wanted > 0)) return unknown;
   constexpr double most = 1e6;
-  double n = std::max(2.0, std::ceil(std::pow(1.96 * deviation / wanted, 2)));
+  double n = std::max(2.0, std::ceil(std::pow(1.9599 * deviation / wanted, 2)));
   while (n < most && student_95(n - 1) * deviation / std::sqrt(n) > wanted) ++n;
   return n;
 }

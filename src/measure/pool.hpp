@@ -11,11 +11,11 @@ namespace washtub {
 /// in its whole cycles, or in blocks of them that are independent (block_length()). Half widths are
 /// 95 %, NaN where they cannot be told.
 struct Pool {
-  std::size_t members = 0;  ///< with a value
-  double mean = 0;          ///< of the members' means, each counting alike
-  double half_width = 0;    ///< from the spread of the members' means, by Student's t
-  double deviation = 0;     ///< standard deviation of the members' means
-  double within = 0;        ///< half width that the cycles within the members would give the mean
+  std::size_t members = 0;
+  double mean = 0;        ///< of the members' values, each counting alike
+  double half_width = 0;  ///< from the spread of the members' means, by Student's t
+  double deviation = 0;   ///< standard deviation of the members' means
+  double within = 0;      ///< half width that the cycles within the members would give the mean
   /// Variance of the members' means over what their cycles let expect; 1 on average where the
   /// cycles tell all, and the start does not matter.
   double ratio = 0;
@@ -31,18 +31,21 @@ struct Pool {
 };
 
 /// Searle, Casella & McCulloch, Variance Components (1992), ch. 3, for one random factor.
-Pool pool(Members members);
+/// @param values   of the members; not always the means of their cycles, as of a root of mean
+/// squares
+/// @param batches  of each of them
+Pool pool(std::span<const double> values, Members batches);
 
 /// How a quantity changes from the first cycle to the last, of all members together: a straight
-/// line through the deviations from each member's mean. Members with fewer than two cycles do not
-/// count.
+/// line through the deviations of their blocks from each member's mean. Members with fewer than two
+/// do not count.
 struct Drift {
   double change = 0;      ///< from the first cycle to the last of the longest member
   double half_width = 0;  ///< 95 %; NaN with fewer than one degree of freedom
 
   bool significant() const { return change > half_width || -change > half_width; }
 };
-Drift drift(Members members);
+Drift drift(Members batches);
 
 /// Runs, or cycles of one run, whose mean would have a half width of `wanted`, from independent
 /// values of this standard deviation: the least n with t(n - 1) deviation / sqrt(n) <= wanted.

@@ -1,24 +1,30 @@
 #include "measure/rainflow.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <string>
 
 namespace washtub {
 
+Rainflow::Rainflow(std::size_t signals)
+    : signals_(signals),
+      lowest_(signals * bounds),
+      highest_(signals * bounds),
+      direction_(signals * bounds),
+      begun_(signals) {}
+
 void Rainflow::add(std::size_t signal, double value) {
-  auto& turns = turns_[signal];
-  const auto n = turns.size();
-  const bool goes_on = n >= 2 && (value - turns[n - 1]) * (turns[n - 1] - turns[n - 2]) >= 0;
-  if (goes_on)
-    turns.back() = value;
-  else if (n == 0 || value != turns.back())
-    turns.push_back(value);
-  while (turns.size() >= 4) {
-    const double* last = &turns.back();
-    const double range = std::abs(last[-1] - last[-2]);
-    if (range > std::abs(last[0] - last[-1]) || range > std::abs(last[-2] - last[-3])) break;
-    for (std::size_t k = 0; k < strain_ranges.size(); ++k) counts_[k] += range >= strain_ranges[k];
-    turns.erase(turns.end() - 3, turns.end() - 1);
+  const bool first = !begun_[signal];
+  begun_[signal] = 1;
+  for (std::size_t k = 0; k < bounds; ++k) {
+    const std::size_t i = signal * bounds + k;
+    lowest_[i] = first ? value : std::min(lowest_[i], value);
+    highest_[i] = first ? value : std::max(highest_[i], value);
+    const bool rises = value - lowest_[i] >= strain_ranges[k] && direction_[i] != 1;
+    const bool falls = highest_[i] - value >= strain_ranges[k] && direction_[i] != -1;
+    if (!rises && !falls) continue;
+    counts_[k] += 0.5;
+    direction_[i] = rises ? 1 : -1;
+    lowest_[i] = highest_[i] = value;
   }
 }
 
@@ -30,23 +36,13 @@ Rainflow::Counts Rainflow::take() {
 }
 
 void Rainflow::state(Archive& archive) {
-  std::vector<int> lengths;
-  std::vector<double> all;
-  for (const auto& turns : turns_) {
-    lengths.push_back(static_cast<int>(turns.size()));
-    all.insert(all.end(), turns.begin(), turns.end());
-  }
-  archive.same_length("lengths", lengths);
-  for (std::size_t k = 0; k < counts_.size(); ++k) {
+  archive.same_length("lowest", lowest_);
+  archive.same_length("highest", highest_);
+  archive.same_length("direction", direction_);
+  archive.same_length("begun", begun_);
+  for (std::size_t k = 0; k < bounds; ++k) {
     archive.value("counts " + std::to_string(k), counts_[k]);
     archive.value("taken " + std::to_string(k), taken_[k]);
-  }
-  archive.value("turns", all);
-  if (!archive.reading()) return;
-  auto from = all.begin();
-  for (std::size_t s = 0; s < turns_.size(); ++s) {
-    turns_[s].assign(from, from + lengths[s]);
-    from += lengths[s];
   }
 }
 

@@ -119,10 +119,10 @@ PieceSample Observer<D>::observe_piece(const ClothGroup<D>& g, int p) {
 
 namespace {
 
-/// Of what closed in a span of time, per edge [1/s].
-double rate(double closed, std::size_t edges, const Interval& over) {
+/// Of what was counted in a span of time, per edge [1/s].
+double rate(double counted, std::size_t edges, const Interval& over) {
   const double all = static_cast<double>(edges) * over.length();
-  return all > 0 ? closed / all : 0;
+  return all > 0 ? counted / all : 0;
 }
 
 PieceSample mean_of(std::span<const PieceSample> all) {
@@ -145,7 +145,6 @@ PieceSample mean_of(std::span<const PieceSample> all) {
 template <int D>
 void Observer<D>::observe_cloth(Sample& sample, const Interval& since) {
   double area = 0;
-  std::size_t edges = 0;
   for (const auto& g : simulation_.cloth().groups) {
     const double piece_area = std::accumulate(g.sheet.area.begin(), g.sheet.area.end(), 0.0);
     for (int p = 0; p < g.pieces; ++p) {
@@ -155,27 +154,15 @@ void Observer<D>::observe_cloth(Sample& sample, const Interval& since) {
     }
     sample.groups.push_back(
         mean_of(std::span(sample.pieces).last(static_cast<std::size_t>(g.pieces))));
-    weighted_.clear();
-    add_stress(g);
-    sample.groups.back().quantiles = quantiles(weighted_, stress_parts);
-    Rainflow& cycles = cycles_[sample.groups.size() - 1];
-    const auto closed = cycles.take();
-    edges += cycles.signals();
-    for (std::size_t k = 0; k < closed.size(); ++k) {
-      sample.strain_cycles[k] += closed[k];
-      sample.groups.back().strain_cycles[k] = rate(closed[k], cycles.signals(), since);
-    }
   }
   if (area > 0) sample.centre /= area;
-  for (double& closed : sample.strain_cycles) closed = rate(closed, edges, since);
   const PieceSample mean = mean_of(sample.pieces);
   sample.stress = mean.stress;
   sample.raw_stress = mean.raw_stress;
   sample.tension = mean.tension;
   sample.compression = mean.compression;
-  weighted_.clear();
-  for (const auto& g : simulation_.cloth().groups) add_stress(g);
-  sample.quantiles = quantiles(weighted_, stress_parts);
+  observe_quantiles(sample);
+  observe_cycles(sample, since);
   collect(sample.pieces, since);
 }
 
@@ -191,12 +178,36 @@ void Observer<D>::count_cycles() {
   }
 }
 
-/// Adds the nodes of a group, with their areas, to those whose quantiles are looked for.
+/// Quantiles of the stress over each group's area, and over that of all.
 template <int D>
-void Observer<D>::add_stress(const ClothGroup<D>& g) {
-  for (int i = 0; i < g.nodes(); ++i)
-    weighted_.push_back({total_[static_cast<std::size_t>(g.first_node + i)],
-                         g.sheet.area[static_cast<std::size_t>(i % g.sheet.nodes())]});
+void Observer<D>::observe_quantiles(Sample& sample) {
+  const auto& groups = simulation_.cloth().groups;
+  std::vector<Weighted> all, own;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    own.clear();
+    const auto& area = groups[g].sheet.area;
+    const auto first = static_cast<std::size_t>(groups[g].first_node);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(groups[g].nodes()); ++i)
+      own.push_back({total_[first + i], area[i % area.size()]});
+    all.insert(all.end(), own.begin(), own.end());
+    if (!own.empty()) sample.groups[g].quantiles = quantiles(own, stress_parts);
+  }
+  sample.quantiles = groups.size() == 1 ? sample.groups[0].quantiles : quantiles(all, stress_parts);
+}
+
+/// Strain cycles of each group's edges, and of all, since the sample before.
+template <int D>
+void Observer<D>::observe_cycles(Sample& sample, const Interval& since) {
+  std::size_t edges = 0;
+  for (std::size_t g = 0; g < cycles_.size(); ++g) {
+    const auto counted = cycles_[g].take();
+    edges += cycles_[g].signals();
+    for (std::size_t k = 0; k < counted.size(); ++k) {
+      sample.strain_cycles[k] += counted[k];
+      sample.groups[g].strain_cycles[k] = rate(counted[k], cycles_[g].signals(), since);
+    }
+  }
+  for (double& counted : sample.strain_cycles) counted = rate(counted, edges, since);
 }
 
 template <int D>

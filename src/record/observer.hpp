@@ -44,7 +44,8 @@ class Observer {
   void observe_cloth(Sample& s, const Interval& since);
   PieceSample observe_piece(const ClothGroup<D>& group, int piece);
   void count_cycles();
-  void add_stress(const ClothGroup<D>& group);
+  void observe_quantiles(Sample& s);
+  void observe_cycles(Sample& s, const Interval& since);
   void collect(const std::vector<PieceSample>& pieces, const Interval& since);
   void observe_probes(Sample& s) const;
   void observe_rings(Sample& s) const;
@@ -59,7 +60,6 @@ class Observer {
   Strains strains_;               ///< of a piece now
   std::vector<NodeStress> node_stress_;
   std::vector<double> membrane_, bending_, total_;
-  std::vector<Weighted> weighted_;  ///< stress of nodes with their areas
   Extremes extremes_;
   SelfWatch<D> self_watch_;
 };

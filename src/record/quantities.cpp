@@ -210,8 +210,12 @@ std::optional<Statistic> WindowedHistory::per_cycle(const std::string& column,
   return found;
 }
 
+std::vector<double> RunQuantity::independent() const {
+  return seeds.empty() ? independent_blocks(batches) : batches;
+}
+
 std::optional<double> RunQuantity::half_width() const {
-  const double width = mean_of_batches(independent_blocks(batches)).half_width;
+  const double width = mean_of_batches(independent()).half_width;
   return std::isfinite(width) ? std::optional(width) : std::nullopt;
 }
 

@@ -71,8 +71,11 @@ struct RunQuantity {
   /// Of an ensemble: the seeds of the runs whose means the batches are.
   std::vector<std::uint64_t> seeds = {};
 
-  /// The true mean is within +- this with 95 % confidence, from independent blocks of the batches
-  /// by Student's t; none with fewer than two.
+  /// Values that count as independent: blocks of the cycles, or the means of an ensemble's members.
+  std::vector<double> independent() const;
+
+  /// The true mean is within +- this with 95 % confidence, from the independent values by Student's
+  /// t; none with fewer than two.
   std::optional<double> half_width() const;
 };
 

@@ -54,8 +54,8 @@ struct PieceSample {
   double compression = 0;       ///< of those that are compressed [Pa]
   double raw_stress = 0;        ///< the total with the strains of the instant [Pa]
   StressQuantiles quantiles{};  ///< of groups only: what parts of its area stay below [Pa]
-  /// Of groups only: strain cycles over strain_ranges that closed since the sample before, per edge
-  /// and time [1/s].
+  /// Of groups only: strain cycles over strain_ranges since the sample before, per edge and time
+  /// [1/s].
   Rainflow::Counts strain_cycles{};
 };
 

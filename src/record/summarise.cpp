@@ -74,6 +74,8 @@ Json cloth_table(const Case& whole, const ClothStatistics& statistics, const Csv
   json[names::stress] = stress(all.stress.total());
   json[names::membrane_stress] = stress(all.stress.membrane());
   json[names::bending_stress] = stress(all.stress.bending());
+  for (const RunQuantity& q : cloth_quantities(whole, history))
+    if (!json.contains(q.name)) json[q.name + (q.unit.empty() ? "" : " [" + q.unit + "]")] = q.mean;
   if (const Json groups = group_tables(whole, history); !groups.empty()) json["groups"] = groups;
   if (whole.dimension == 3 && tracks)
     json["loop"] = table(entries::loop, LoopSource(whole, *tracks), whole.dimension);

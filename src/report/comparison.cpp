@@ -47,7 +47,8 @@ double magnitude(const RunQuantity& quantity) {
   return largest;
 }
 
-/// The means of runs with seeds that two ensembles have in common.
+/// The means of the runs of two ensembles in the order of their seeds; none where they have not all
+/// the same.
 struct Paired {
   std::vector<double> first, other;
 };
@@ -60,7 +61,8 @@ Paired pairs(const RunQuantity& first, const RunQuantity& other) {
         result.first.push_back(first.batches[i]);
         result.other.push_back(other.batches[j]);
       }
-  return result;
+  const std::size_t common = result.first.size();
+  return common == first.seeds.size() && common == other.seeds.size() ? result : Paired();
 }
 
 std::optional<AgainstFirst> against(const std::optional<RunQuantity>& first,
@@ -70,10 +72,10 @@ std::optional<AgainstFirst> against(const std::optional<RunQuantity>& first,
   AgainstFirst result;
   const Paired both = pairs(*first, *other);
   result.paired = both.first.size() > 1;
-  const DifferenceEstimate estimate =
-      result.paired ? paired(both.first, both.other)
-                    : welch(independent_blocks(first->batches), independent_blocks(other->batches));
-  const double difference = result.paired ? estimate.difference : other->mean - first->mean;
+  const DifferenceEstimate estimate = result.paired
+                                          ? paired(both.first, both.other)
+                                          : welch(first->independent(), other->independent());
+  const double difference = other->mean - first->mean;
   if (std::abs(difference) > rounding * std::max(magnitude(*first), magnitude(*other)))
     result.difference = difference;
   result.relative = std::abs(first->mean) > rounding * magnitude(*first);
@@ -222,7 +224,7 @@ Compared::Compared(std::string where, std::string called, RunRecord first,
       run(std::move(first)),
       quantities(std::move(pooled)),
       members(count) {
-  run.name = name;
+  run.name = name + ", " + run.name;
 }
 
 void prepare_comparison(std::vector<Compared>& all) {
@@ -243,7 +245,9 @@ void prepare_comparison(std::vector<Compared>& all) {
                       all[0].directory, *first, one.directory, *other));
   }
   for (int parts = 2; !all_differ(all) && parts < 100; ++parts)
-    for (Compared& one : all) one.name = one.run.name = last_parts(one.directory, parts);
+    for (Compared& one : all) one.name = last_parts(one.directory, parts);
+  for (Compared& one : all)
+    if (one.members == 1) one.run.name = one.name;
 }
 
 RunComparison compare(const std::vector<Compared>& all) {
@@ -255,6 +259,10 @@ RunComparison compare(const std::vector<Compared>& all) {
   }
   result.rows = rows_of(all);
   result.sentences = differing_settings(runs);
+  if (std::all_of(all.begin(), all.end(), [](const Compared& one) { return one.members > 1; }))
+    std::erase_if(result.sentences, [](const std::string& sentence) {
+      return sentence.substr(0, sentence.find(':')).ends_with(".seed");
+    });
   for (std::size_t run = 1; run < runs.size(); ++run)
     for (const CompareRow& row : result.rows) {
       std::string sentence = difference_sentence(row, run, result.names);
@@ -282,14 +290,15 @@ Json to_json(const RunComparison& comparison) {
       differences.back() = {{"difference", d->difference},
                             {"half_width", d->half_width ? Json(*d->half_width) : Json()},
                             {"percent", d->percent},
-                            {"significant", significant ? Json(*significant) : Json()}};
+                            {"significant", significant ? Json(*significant) : Json()},
+                            {"paired", d->paired}};
     }
     rows.push_back({{"name", row.name},
                     {"unit", row.unit},
                     {"values", values},
                     {"against_first", differences}});
   }
-  return {{"rows", rows}, {"sentences", comparison.sentences}};
+  return {{"names", comparison.names}, {"rows", rows}, {"sentences", comparison.sentences}};
 }
 
 }  // namespace washtub

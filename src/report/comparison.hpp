@@ -13,8 +13,8 @@ struct AgainstFirst {
   /// [unit of the quantity]; 0 also where it is less than 1e-6 of the values: they are the same
   double difference = 0;
   bool paired = false;  ///< it is the mean of differences between runs of the same seed
-  /// 95 %; none: cannot be told. By Welch's method, or, between ensembles with two seeds or more in
-  /// common, from the differences of the runs that have the same seed.
+  /// 95 %; none: cannot be told. By Welch's method, or, between ensembles of the
+  /// same seeds, from the differences of the runs that start alike.
   std::optional<double> half_width;
   bool relative = true;  ///< whether the first run's value is more than rounding
   double percent = 0;    ///< the difference, of the first run's value; 0 if not relative

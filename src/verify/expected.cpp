@@ -48,6 +48,8 @@ Table<RunSpec> run_table() {
       .key("level", &RunSpec::level, level(), "`full` takes in the quick ones")
       .key("case", &RunSpec::file, text(), "case file beside this one")
       .key("command", &RunSpec::command, command(), "command of washtub that makes it")
+      .key("seeds", &RunSpec::seeds, text(), "makes it an ensemble, as `5` or `6-10`")
+      .omitted([](const RunSpec& r, int) { return r.seeds.empty(); })
       .key("set", &RunSpec::settings, list_of(text()), "what `--set` changes of the case")
       .omitted(empty)
       .key("cost", &RunSpec::cost, quantity(measure::time, above(0)),
@@ -72,7 +74,8 @@ void add_measured(Table<T>& table) {
       .only("with `column`", with_column)
       .fallback("the whole run")
       .key("per", &T::per, number(), "divides it")
-      .key("summary", &T::summary, text(), "JSON pointer into summary.json, such as `/run/steps`")
+      .key("summary", &T::summary, text(),
+           "JSON pointer into summary.json, such as `/run/steps`, of an ensemble into pooled.json")
       .omitted([](const T& q, int) { return q.summary.empty(); })
       .key("mode", &T::mode, integer(at_least(1)), "natural frequency of a `modes` run, from 1")
       .omitted([](const T& q, int) { return q.mode == 0; });

@@ -17,6 +17,7 @@ struct RunSpec {
   VerifyLevel level = VerifyLevel::quick;
   std::string file = "case.toml";  ///< beside expected.toml
   std::string command = "run";     ///< or "modes"
+  std::string seeds;               ///< of an ensemble of runs; "" = a single run
   std::vector<std::string> settings;
   double cost = 0;  ///< about how long it takes [s]; 0 = not known
 };
@@ -27,7 +28,7 @@ struct Measured {
   Take take = Take::last;
   std::array<double, 2> window{0, std::numeric_limits<double>::infinity()};  ///< [s]
   double per = 1;
-  std::string summary;  ///< JSON pointer into summary.json
+  std::string summary;  ///< JSON pointer into summary.json, of an ensemble into pooled.json
   int mode = 0;         ///< natural frequency of a modes run, from 1; 0 = none of it
 };
 

@@ -35,6 +35,8 @@ void check_runs(const Expected& expected, const Node::List& nodes) {
     const auto file = std::filesystem::path(expected.directory) / run.file;
     if (!std::filesystem::is_regular_file(file))
       throw error_at(nodes[i], fmt::format("{}: no such case file", file.string()));
+    if (!run.seeds.empty() && run.command != "run")
+      throw error_at(*nodes[i].find("seeds"), "only runs can be of several seeds");
   }
 }
 
@@ -54,6 +56,8 @@ void check_run(const Expected& expected, const Node& entry, const std::string& k
   }
   if (expected.runs[index].command != command)
     throw error_at(node, fmt::format("is no `{}` run", command));
+  if (!expected.runs[index].seeds.empty() && !entry.find("summary"))
+    throw error_at(node, "is an ensemble, of which only `summary` can be asked");
 }
 
 /// Exactly one of several keys must be there.

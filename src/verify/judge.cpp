@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -33,6 +34,12 @@ double number_at(const std::string& path, const std::string& pointer) {
   const std::string nearest = nearest_name(pointer, known);
   throw InputError(fmt::format("{}: no number at {}{}", path, quoted(pointer),
                                nearest.empty() ? "" : ", nearest: " + quoted(nearest)));
+}
+
+/// The file with the numbers of a run, or of an ensemble of them.
+std::string summary_of(const std::string& directory) {
+  const std::string pooled = directory + "/pooled.json";
+  return std::filesystem::exists(pooled) ? pooled : directory + "/summary.json";
 }
 
 double frequency_at(const std::string& path, int mode) {
@@ -132,8 +139,7 @@ double observed_order(const std::vector<double>& values, double refinement, doub
 }
 
 double measured_number(const Measured& what, const RunResult& run) {
-  if (!what.summary.empty())
-    return number_at(run.directory + "/summary.json", what.summary) / what.per;
+  if (!what.summary.empty()) return number_at(summary_of(run.directory), what.summary) / what.per;
   if (what.mode > 0) return frequency_at(run.directory + "/modes.json", what.mode) / what.per;
   const CsvTable history = read_table(run.directory + "/history.csv");
   Series column = series(history, what.column, what.window);

@@ -36,28 +36,49 @@ nlohmann::ordered_json fingerprint(const Expected& expected, const RunSpec& run,
 
 std::vector<std::string> run_words(const Expected& expected, const RunSpec& run,
                                    const std::string& directory) {
-  std::vector<std::string> words = {run.command, case_path(expected, run)};
-  if (run.command == "modes") {
-    words.insert(words.end(), {"--count", std::to_string(modes_of(expected, run.name)), "-o",
-                               directory + "/modes.json"});
-  } else {
-    words.insert(words.end(), {"-o", directory, "-n", "1", "--force", "--no-report"});
-  }
+  const std::string path = case_path(expected, run);
+  std::vector<std::string> words;
+  if (run.command == "modes")
+    words = {"modes",   path,
+             "--count", std::to_string(modes_of(expected, run.name)),
+             "-o",      directory + "/modes.json"};
+  else if (run.seeds.empty())
+    words = {"run", path, "-o", directory, "-n", "1", "--no-report"};
+  else
+    words = {"ensemble", path, "-o", directory, "-j", "1", "--seeds", run.seeds};
   for (const std::string& setting : run.settings) words.insert(words.end(), {"--set", setting});
   return words;
 }
+
+namespace {
+
+/// A run of the batch: begun anew, or gone on with where it was interrupted.
+BatchRun batch_run(const CaseRuns& of, std::size_t i, const RunPlan& plan) {
+  const RunSpec& run = of.expected.runs[i];
+  BatchRun result;
+  result.name = of.expected.name + '/' + run.name;
+  result.words = result.again = run_words(of.expected, run, plan.directory + '/' + result.name);
+  if (run.command == "run") {
+    result.words.emplace_back("--force");
+    if (run.seeds.empty()) result.again.emplace_back("--resume");
+    result.trace = run.seeds.empty() ? "log.txt" : "ensemble.json";
+  }
+  result.fingerprint = fingerprint(of.expected, run, plan.identity);
+  result.cost = run.cost;
+  result.wanted = run.level <= plan.level;
+  return result;
+}
+
+}  // namespace
 
 void make_runs(std::vector<CaseRuns>& cases, const RunPlan& plan) {
   std::vector<BatchRun> batch;
   for (CaseRuns& c : cases) {
     c.runs.resize(c.expected.runs.size());
     for (std::size_t i = 0; i < c.runs.size(); ++i) {
-      const RunSpec& run = c.expected.runs[i];
-      const std::string name = c.expected.name + '/' + run.name;
-      c.runs[i].directory = plan.directory + '/' + name;
-      batch.push_back({name, run_words(c.expected, run, c.runs[i].directory),
-                       fingerprint(c.expected, run, plan.identity), run.cost,
-                       run.level <= plan.level, &c.runs[i]});
+      batch.push_back(batch_run(c, i, plan));
+      batch.back().result = &c.runs[i];
+      c.runs[i].directory = plan.directory + '/' + batch.back().name;
     }
   }
   make_batch(batch, plan.batch);

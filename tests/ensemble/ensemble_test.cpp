@@ -23,9 +23,14 @@ using ::testing::ThrowsMessage;
 class Members {
  public:
   explicit Members(const std::string& name = "all") : name_(name) {}
+  static std::string seeded(std::uint64_t seed) {
+    std::string text = RunFolder::case_text();
+    return text.replace(text.find("[[cloth]]"), 9, "[[cloth]]\nseed = " + std::to_string(seed));
+  }
   void add(const RunFolder& folder, std::uint64_t seed, double level, double step) {
     folder.run(name_ + "/seed-" + std::to_string(seed),
-               {.stress = [=](double t) { return level + step * (std::ceil(t - 1e-6) - 3); }});
+               {.stress = [=](double t) { return level + step * (std::ceil(t - 1e-6) - 3); }},
+               seeded(seed));
     seeds_.push_back(seed);
     write_members(folder.path(name_), seeds_);
   }
@@ -76,10 +81,32 @@ TEST(Ensemble, SaysWhatItsMembersDifferBy) {
               Contains(HasSubstr("too narrow for stress")));
   const auto good = sentences(read_ensemble(folder.path("alike")));
   EXPECT_THAT(good, Contains(HasSubstr("cover the spread")));
-  EXPECT_THAT(good, Contains(HasSubstr("drift: stress +9.8 %")));
-  EXPECT_THAT(good, Contains(HasSubstr("stress is known to within 2.4 % now")));
+  EXPECT_THAT(good, Contains(HasSubstr("drift: stress +10 %")));
+  EXPECT_THAT(good, Contains(HasSubstr("stress is known to within 2.4 %.")));
   EXPECT_THAT(sentences(read_ensemble(folder.path("same"))),
               ElementsAre(HasSubstr("All members are the same")));
+}
+
+TEST(Ensemble, OneCycleEachTellsNoSpread) {
+  const RunFolder folder;
+  Members members;
+  for (const int seed : {1, 2}) {
+    members.add(folder, seed, 100 + seed, 1);
+    folder.write("all/seed-" + std::to_string(seed) + "/history.csv",
+                 RunFolder::history({.stress = [=](double) { return 100.0 + seed; }}, 2.5));
+  }
+  EXPECT_THAT(sentences(read_ensemble(folder.path("all"))),
+              Contains(HasSubstr("fewer than two whole cycles in the window")));
+}
+
+/// Members are independent whatever their order looks like.
+TEST(Ensemble, RisingMembersAreNoBlocks) {
+  const RunFolder folder;
+  Members members;
+  for (int seed = 1; seed <= 8; ++seed) members.add(folder, seed, 100 + seed, 1);
+  const Ensemble ensemble = read_ensemble(folder.path("all"));
+  const PooledQuantity& stress = stress_of(ensemble);
+  EXPECT_NEAR(*stress.about.half_width(), stress.pool.half_width, 1e-9);
 }
 
 TEST(Ensemble, LeavesOutWhatHasNotReachedItsEnd) {
@@ -90,6 +117,7 @@ TEST(Ensemble, LeavesOutWhatHasNotReachedItsEnd) {
   folder.write("all/seed-2/summary.json", R"({"run": {"outcome": "stopped"}})");
   const Ensemble ensemble = read_ensemble(folder.path("all"));
   EXPECT_THAT(ensemble.seeds, ElementsAre(1));
+  EXPECT_THAT(ensemble.missing, ElementsAre(2));
   EXPECT_THAT(sentences(ensemble), ElementsAre(HasSubstr("Only one member")));
   folder.write("all/seed-1/summary.json", R"({"run": {"outcome": "failed"}})");
   EXPECT_THAT([&] { read_ensemble(folder.path("all")); },
@@ -115,6 +143,9 @@ TEST(CompareEnsembles, PairsRunsThatStartAlike) {
     prepare_comparison(both);
     return compare(both);
   };
+  Members partly("partly");
+  for (const int seed : {2, 3, 4}) partly.add(folder, seed, 103 + 30 * seed, 1);
+  EXPECT_FALSE(against("partly").rows[0].against[1]->paired);
   const RunComparison alike = against("other"), apart = against("third");
   EXPECT_TRUE(alike.rows[0].against[1]->paired);
   EXPECT_NEAR(alike.rows[0].against[1]->difference, 3, 1e-9);

@@ -37,7 +37,7 @@ TEST(BlockLength, AFewBatchesTellNoCorrelation) {
   EXPECT_EQ(block_length(same), 1U);
 }
 
-/// The drift that one member of six cycles leaves open ten of them show together.
+/// What eight cycles of one member leave open thirty members show together.
 TEST(BlockLength, MembersTellItTogether) {
   std::mt19937 engine(3);
   std::vector<std::vector<double>> members;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 #include <random>
 
 namespace washtub {
@@ -10,10 +11,19 @@ namespace {
 
 using Batches = std::vector<std::vector<double>>;
 
+/// Of members whose values are the means of their batches.
+Pool pool_of(const Batches& members) {
+  std::vector<double> values;
+  for (const auto& batches : members)
+    values.push_back(std::accumulate(batches.begin(), batches.end(), 0.0) /
+                     static_cast<double>(batches.size()));
+  return pool(values, members);
+}
+
 /// Means 1, 3 and 8: deviation sqrt(13); their own squared errors are 1, 1 and 4 of 2 values each.
 TEST(Pool, HandComputed) {
   const Batches members = {{0, 2}, {2, 4}, {6, 10}};
-  const Pool p = pool(members);
+  const Pool p = pool_of(members);
   EXPECT_EQ(p.members, 3U);
   EXPECT_DOUBLE_EQ(p.mean, 4);
   EXPECT_NEAR(p.deviation, std::sqrt(13), 1e-12);
@@ -27,9 +37,18 @@ TEST(Pool, HandComputed) {
   EXPECT_EQ(p.hold, 3U);
 }
 
+/// As of a root of mean squares, which is no mean of those of the cycles.
+TEST(Pool, ValuesAreTheMembersOwn) {
+  const std::vector<double> values = {5, 7};
+  const Pool p = pool(values, Batches{{0, 2}, {2, 4}});
+  EXPECT_DOUBLE_EQ(p.mean, 6);
+  EXPECT_NEAR(p.deviation, std::sqrt(2), 1e-12);
+  EXPECT_NEAR(p.ratio, 2, 1e-12);
+}
+
 TEST(Pool, OneMemberTellsNoSpread) {
-  const Batches one = {{1, 2, 3}, {}};
-  const Pool p = pool(one);
+  const Batches one = {{1, 2, 3}};
+  const Pool p = pool_of(one);
   EXPECT_EQ(p.members, 1U);
   EXPECT_DOUBLE_EQ(p.mean, 2);
   EXPECT_TRUE(std::isnan(p.half_width));
@@ -37,9 +56,16 @@ TEST(Pool, OneMemberTellsNoSpread) {
   EXPECT_FALSE(p.not_covered());
 }
 
+TEST(Pool, CyclesThatAreAlikeAndMembersThatAreNot) {
+  const Batches members = {{1, 1, 1}, {2, 2, 2}};
+  EXPECT_TRUE(pool_of(members).not_covered());
+  const Batches same = {{1, 1, 1}, {1, 1, 1}};
+  EXPECT_FALSE(pool_of(same).not_covered());
+}
+
 TEST(Pool, OfSingleValues) {
   const Batches members = {{1}, {2}, {3}};
-  const Pool p = pool(members);
+  const Pool p = pool_of(members);
   EXPECT_NEAR(p.half_width, 4.302653 / std::sqrt(3), 1e-5);
   EXPECT_TRUE(std::isnan(p.within));
   EXPECT_FALSE(p.covered());
@@ -60,7 +86,7 @@ TEST(Pool, CoversTheTrueMeanAndTellsWhatStartsAdd) {
         const double own = start * noise(engine);
         for (int i = 0; i < 6; ++i) member.push_back(own + noise(engine));
       }
-      const Pool p = pool(members);
+      const Pool p = pool_of(members);
       pooled += std::abs(p.mean) <= p.half_width;
       within += std::abs(p.mean) <= p.within;
       covered += p.covered();
@@ -95,6 +121,22 @@ TEST(Drift, NoiseIsNone) {
     found += drift(members).significant();
   }
   EXPECT_NEAR(found, 20, 13);
+}
+
+/// Cycles that remember each other drift for a while without a trend.
+TEST(Drift, MemoryIsNone) {
+  std::mt19937 engine(4);
+  std::normal_distribution<double> noise;
+  int found = 0;
+  for (int e = 0; e < 400; ++e) {
+    Batches members(5);
+    for (auto& member : members) {
+      double x = 1.67 * noise(engine);
+      for (int i = 0; i < 24; ++i) member.push_back(x = 0.8 * x + noise(engine));
+    }
+    found += drift(members).significant();
+  }
+  EXPECT_LT(found, 80);  // by cycle it would be 170
 }
 
 TEST(Drift, OfSingleCyclesIsUnknown) {

@@ -86,6 +86,42 @@ TEST(Observer, StressIsTheMeanOverThePieces) {
   EXPECT_DOUBLE_EQ(s.quantiles[2], s.groups[1].quantiles[2]);
 }
 
+/// A thread that is pulled to and fro along itself, and one at rest: what is counted edge by edge,
+/// per edge and the time since the last sample.
+TEST(Observer, StrainCyclesPerEdgeAndTime) {
+  Case whole = box();
+  whole.output.stress_time = 0;
+  whole.time.fixed = true;
+  whole.time.step = 5e-3;
+  whole.cloth = {thread(), thread()};
+  whole.cloth[0].origin = {0.3, 0.25, 0};
+  whole.cloth[1].origin = {0.3, 0.75, 0};
+  whole.cloth[0].load[0] = "400*(x - 0.5)*sin(60*t)";
+  Simulation<2> simulation(whole, Parallel());
+  Observer<2> observer(simulation);
+  const auto& group = simulation.cloth().groups[0];
+  Rainflow expected(8);
+  Strains strains;
+  double sampled = 0;
+  for (int row = 0; row < 3; ++row) {
+    for (int i = 0; i < 40; ++i) {
+      observer.watch(simulation.step(1));
+      find_strains(group.sheet, simulation.cloth().piece(group, 0), strains);
+      for (std::size_t edge = 0; edge < 8; ++edge) expected.add(edge, strains.along[1][edge]);
+    }
+    const Sample s = observer.observe();
+    const auto counted = expected.take();
+    const double all = 8 * (simulation.time() - sampled);
+    sampled = simulation.time();
+    EXPECT_GE(counted[0], 8);
+    for (std::size_t k = 0; k < counted.size(); ++k) {
+      EXPECT_NEAR(s.groups[0].strain_cycles[k], counted[k] / all, 1e-9);
+      EXPECT_NEAR(s.strain_cycles[k], 0.5 * counted[k] / all, 1e-9);
+    }
+    EXPECT_EQ(s.groups[1].strain_cycles[1], 0);
+  }
+}
+
 TEST(Observer, RingsEncloseTheirArea) {
   Case whole = box();
   for (const double x : {0.25, 0.75}) {

@@ -41,8 +41,17 @@ TEST(RunWords, RunsTakeOneRankAndTheirSettings) {
   expected.runs[0].command = "run";
   expected.runs[0].settings = {"domain.cells=64"};
   EXPECT_THAT(run_words(expected, expected.runs[0], "out"),
-              ElementsAre("run", "/cases/plate/case.toml", "-o", "out", "-n", "1", "--force",
-                          "--no-report", "--set", "domain.cells=64"));
+              ElementsAre("run", "/cases/plate/case.toml", "-o", "out", "-n", "1", "--no-report",
+                          "--set", "domain.cells=64"));
+}
+
+TEST(RunWords, EnsemblesRunTheirMembersOneByOne) {
+  Expected expected = plate();
+  expected.runs[0].command = "run";
+  expected.runs[0].seeds = "1-3";
+  EXPECT_THAT(
+      run_words(expected, expected.runs[0], "out"),
+      ElementsAre("ensemble", "/cases/plate/case.toml", "-o", "out", "-j", "1", "--seeds", "1-3"));
 }
 
 }  // namespace

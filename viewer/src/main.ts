@@ -8,7 +8,7 @@ import { buildApi } from './page/api';
 import { beside } from './page/beside';
 import { buildComparison } from './page/comparison';
 import { buildDetails } from './page/details';
-import { buildEnsemble } from './page/ensemble';
+import { buildEnsemble, buildMembers } from './page/ensemble';
 import { make } from './dom';
 import { buildHead } from './page/head';
 import { buildKeys } from './page/keys';
@@ -52,7 +52,7 @@ async function build(page: HTMLElement): Promise<void> {
   const settings = new Store(initialSettings(choices));
   const seen = bundle.ensemble ? runs.slice(0, MOST_VIEWS) : runs;
   const stage = stageFor(seen, clock, settings);
-  const headed = bundle.ensemble ? bundle.runs.slice(0, 1) : bundle.runs;
+  const headed = bundle.ensemble ? [] : bundle.runs;
   document.title = `${bundle.runs.map(({ name }) => name).join(', ')} – Washtub`;
   page.replaceChildren(
     make('header', 'head', ...headed.map(buildHead)),
@@ -64,6 +64,7 @@ async function build(page: HTMLElement): Promise<void> {
       section('plots', buildPlots(runs, clock, bundle.ensemble)),
     ),
     section('summary', buildSummary(bundle.runs)),
+    section('members', bundle.ensemble && buildMembers(bundle.runs)),
     section('details', buildDetails(bundle.runs, bundle.program)),
   );
   stage?.start();

@@ -132,6 +132,7 @@ export interface Companded {
 }
 
 export interface Comparison {
+  names: string[]; // of the runs; of an ensemble, whose first member is drawn, its own
   rows: ComparisonRow[];
   sentences: string[]; // plain words: what differs, what does not, what cannot be told
 }
@@ -148,12 +149,14 @@ export interface Difference {
   half_width: number | null; // 95 %
   percent: number; // of the first run's value
   significant: boolean | null; // null: cannot be told
+  paired: boolean; // of runs that start alike
 }
 
 /** One case from several random starts. */
 export interface Ensemble {
   name: string;
   seeds: number[]; // of the members
+  missing: number[]; // of those that have not reached their end
   student: number | null; // 97.5 % point of Student's t for as many members
   rows: PooledQuantity[];
   sentences: string[]; // how sure it all is, and what would make it surer

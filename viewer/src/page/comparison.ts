@@ -21,7 +21,7 @@ export function buildComparison(comparison: Comparison, runs: RunIndex[]): HTMLE
     {},
     element('h2', {}, 'Comparison'),
     ...(comparison.rows.length > 0
-      ? [element('div', scroll, buildTable(comparison, runs)), ...notesOf(comparison, runs)]
+      ? [element('div', scroll, buildTable(comparison)), ...notesOf(comparison, runs)]
       : []),
     buildSentences(comparison),
   );
@@ -44,11 +44,11 @@ function buildSentences({ rows, sentences }: Comparison): HTMLElement | null {
   return element('details', rows.length > 0 ? {} : { open: '' }, title, list);
 }
 
-function buildTable({ rows }: Comparison, runs: RunIndex[]): HTMLElement {
-  const values = runs.map((run, i) => element('th', { scope: 'col' }, swatch(i), run.name));
-  const differences = runs
+function buildTable({ names, rows }: Comparison): HTMLElement {
+  const values = names.map((name, i) => element('th', { scope: 'col' }, swatch(i), name));
+  const differences = names
     .slice(1)
-    .map((run) => element('th', { scope: 'col' }, `${run.name} against ${runs[0]!.name}`));
+    .map((name) => element('th', { scope: 'col' }, `${name} against ${names[0]!}`));
   const head = element('tr', {}, element('th', { scope: 'col' }, 'quantity'), ...values);
   head.append(...differences);
   return element(
@@ -98,7 +98,8 @@ function buildDifference(difference: Difference | null, display: Display): HTMLE
   const text = shown(difference.difference, difference.half_width, display);
   const percent = Number.isFinite(difference.percent) ? formatPercent(difference.percent) : '–';
   const kind = difference.significant ? 'verdict significant' : 'verdict';
-  const words = element('span', { class: kind }, verdict(difference));
+  const pairs = difference.paired ? ', of equal starts' : '';
+  const words = element('span', { class: kind }, verdict(difference) + pairs);
   const signed = difference.difference > 0 ? withPlus(text) : text;
   return element('td', { class: 'number' }, signed, ` (${percent}) `, words);
 }

@@ -1,5 +1,6 @@
 import { element } from '../dom';
-import type { Ensemble, PooledQuantity } from '../model/bundle';
+import type { Ensemble, PooledQuantity, RunIndex } from '../model/bundle';
+import { buildHead } from './head';
 import { displayOf, formatMean, formatNumber } from '../plots/format';
 
 const meaning =
@@ -33,13 +34,18 @@ export function buildEnsemble(
   return element(
     'div',
     { id: 'ensemble' },
-    element('h2', {}, `Ensemble ${name}: ${seeds.length} members`),
-    element('p', { class: 'note' }, `Seeds ${seeds.join(', ')}.`),
+    element('h1', {}, `Ensemble ${name}`),
+    element('p', { class: 'note' }, `${seeds.length} members, seeds ${seeds.join(', ')}.`),
     element('ul', { class: 'sentences' }, ...sentences.map((text) => element('li', {}, text))),
     buildTable(rows.filter((row) => !isOfGroup(row))),
     apart.length > 0 ? fold : null,
     element('p', { class: 'note' }, meaning),
   );
+}
+
+/** What each member is, with its warnings. */
+export function buildMembers(runs: RunIndex[]): HTMLElement {
+  return element('div', {}, element('h2', {}, 'Members'), ...runs.map(buildHead));
 }
 
 function buildTable(rows: readonly PooledQuantity[]): HTMLElement {

@@ -42,6 +42,7 @@ function plot(curves: Curve[]): TimePlotSpec {
 const ensemble = {
   name: 'all',
   seeds: [1, 2],
+  missing: [],
   student: 12.706,
   rows: [{ name: 'stress', mean: 11, half_width: 2 } as PooledQuantity],
   sentences: [],
