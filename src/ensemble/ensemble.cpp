@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "ensemble/members.hpp"
 #include "io/file.hpp"
+#include "record/columns.hpp"
 
 namespace washtub {
 
@@ -74,6 +75,14 @@ std::vector<PooledQuantity> pool_all(const std::vector<std::uint64_t>& seeds,
     foresee(quantity);
   }
   return all;
+}
+
+/// Names of the groups of cloth, where there are several.
+Json groups_of(const Ensemble& ensemble) {
+  Json names = Json::array();
+  if (const auto& definition = ensemble.runs.front().definition)
+    for (const ClothCase& group : groups_apart(*definition)) names.push_back(group.name);
+  return names;
 }
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
@@ -162,6 +171,7 @@ Json to_json(const Ensemble& ensemble) {
   return {{"name", ensemble.name},
           {"seeds", ensemble.seeds},
           {"missing", ensemble.missing},
+          {"groups", groups_of(ensemble)},
           {"student", members > 1 ? Json(student_95(members - 1)) : Json()},
           {"rows", rows},
           {"sentences", sentences(ensemble)}};

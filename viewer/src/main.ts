@@ -1,4 +1,3 @@
-import type { RunIndex } from './model/bundle';
 import { Clock } from './model/clock';
 import { parseTable } from './model/csv';
 import { chunkReader, DataError, readBundle } from './model/decode';
@@ -56,7 +55,7 @@ async function build(page: HTMLElement): Promise<void> {
   document.title = `${bundle.runs.map(({ name }) => name).join(', ')} – Washtub`;
   page.replaceChildren(
     make('header', 'head', ...headed.map(buildHead)),
-    section('comparison', bundle.ensemble && buildEnsemble(bundle.ensemble, groupsOf(bundle.runs))),
+    section('comparison', bundle.ensemble && buildEnsemble(bundle.ensemble)),
     section('comparison', bundle.comparison && buildComparison(bundle.comparison, bundle.runs)),
     beside(
       make('section', 'views', ...viewsOf(seen, stage)),
@@ -70,11 +69,6 @@ async function build(page: HTMLElement): Promise<void> {
   stage?.start();
   keepTime(clock);
   window.washtub = { ...buildApi(clock, settings, stage), plots };
-}
-
-/** Names of the groups of cloth. */
-function groupsOf(runs: readonly RunIndex[]): string[] {
-  return runs[0]?.cloth?.groups.map(({ name }) => name) ?? [];
 }
 
 function section(name: string, contents: HTMLElement | null): HTMLElement {

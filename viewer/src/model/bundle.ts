@@ -157,6 +157,7 @@ export interface Ensemble {
   name: string;
   seeds: number[]; // of the members
   missing: number[]; // of those that have not reached their end
+  groups: string[]; // of cloth, where there are several
   student: number | null; // 97.5 % point of Student's t for as many members
   rows: PooledQuantity[];
   sentences: string[]; // how sure it all is, and what would make it surer

@@ -22,12 +22,9 @@ const heads = [
 ];
 
 /** What an ensemble tells: sentences first, then all pooled quantities. */
-export function buildEnsemble(
-  { name, seeds, rows, sentences }: Ensemble,
-  groups: readonly string[],
-): HTMLElement {
+export function buildEnsemble({ name, seeds, groups, rows, sentences }: Ensemble): HTMLElement {
   const isOfGroup = (row: PooledQuantity) =>
-    groups.length > 1 && groups.some((group) => row.name.startsWith(`${group} `));
+    groups.some((group) => row.name.startsWith(`${group} `));
   const apart = rows.filter(isOfGroup);
   const fold = element('details', {}, element('summary', {}, `Groups of cloth (${groups.length})`));
   fold.append(buildTable(apart));

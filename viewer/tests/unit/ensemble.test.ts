@@ -43,6 +43,7 @@ const ensemble = {
   name: 'all',
   seeds: [1, 2],
   missing: [],
+  groups: [],
   student: 12.706,
   rows: [{ name: 'stress', mean: 11, half_width: 2 } as PooledQuantity],
   sentences: [],
