@@ -190,6 +190,62 @@ TEST_F(Verify, InterruptedItKeepsWhatIsFinished) {
   EXPECT_EQ(json["pass"], 1);
 }
 
+/// Cloth that starts at random, in a plane tub.
+constexpr const char* drawn_case = R"(dimension = 2
+[washer]
+radius = "0.3 m"
+stroke = { kind = "sinusoid", peak = "12 rad/s", frequency = "10 Hz" }
+[fluid]
+viscosity = "1 Pa s"
+[domain]
+cells = 32
+[cloth]
+count = 3
+size = ["0.15 m"]
+stretch_stiffness = "1e5 N/m"
+bending_stiffness = "1e-5 N m"
+excess_mass = "0.1 kg/m^2"
+thickness = "0.2 mm"
+[time]
+end = "0.2 s"
+[output]
+every = "2 ms"
+window = ["0 s", "0.2 s"]
+)";
+
+constexpr const char* drawn_expected = R"(title = "Drawn"
+[[run]]
+name = "both"
+seeds = "2"
+[[quantity]]
+name = "seeds"
+run = "both"
+summary = "/seeds/1"
+value = 2
+tolerance = 0
+source = "the run"
+[[quantity]]
+name = "half width of the stress"
+run = "both"
+summary = "/stress/95 % half width ~1 sigma_o"
+at_least = 1e-9
+source = "starts differ"
+)";
+
+TEST_F(Verify, ARunMayBeAnEnsemble) {
+  std::filesystem::remove_all(folder.path("cases/tiny"));
+  folder.write("cases/drawn/case.toml", drawn_case);
+  folder.write("cases/drawn/expected.toml", drawn_expected);
+  const Outcome outcome = run("");
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_THAT(outcome.text, HasSubstr("2 pass, 0 miss"));
+  EXPECT_THAT(run("").text, HasSubstr("drawn/both: kept"));
+  std::string text = drawn_expected;
+  folder.write("cases/drawn/expected.toml",
+               text.replace(text.find("summary"), 20, "column = \"stress\"\ntake = \"mean\""));
+  EXPECT_THAT(run("").text, HasSubstr("is an ensemble, of which only `summary` can be asked"));
+}
+
 TEST_F(Verify, ListsWithoutRunning) {
   const Outcome outcome = run("--list");
   EXPECT_EQ(outcome.code, 0);
