@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"
+#include "support/small_wash.hpp"
 
 using testing::HasSubstr;
 using washtub::testing::Outcome;
@@ -16,33 +17,10 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Three cycles of a small 2-D washer with three pieces of cloth.
-constexpr const char* small_case = R"(dimension = 2
-[washer]
-radius = "0.3 m"
-stroke = { kind = "sinusoid", peak = "12 rad/s", frequency = "10 Hz" }
-[fluid]
-viscosity = "1 Pa s"
-[domain]
-cells = 32
-[cloth]
-count = 3
-size = ["0.15 m"]
-stretch_stiffness = "1e5 N/m"
-bending_stiffness = "1e-5 N m"
-excess_mass = "0.1 kg/m^2"
-thickness = "0.2 mm"
-[time]
-end = "0.4 s"
-[output]
-every = "2 ms"
-window = ["0.1 s", "0.4 s"]
-)";
-
 class Compare : public washtub::testing::Program {
  protected:
   void make_run(const std::string& name, const std::string& more = "") const {
-    std::ofstream(folder / "small.toml") << small_case;
+    std::ofstream(folder / "small.toml") << washtub::testing::small_wash("0.1", "0.4");
     const Outcome outcome = run("run small.toml -n 1 --no-report -o " + name + " " + more);
     ASSERT_EQ(outcome.code, 0) << outcome.text;
   }

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"
+#include "support/small_wash.hpp"
 
 using testing::HasSubstr;
 using testing::Not;
@@ -14,32 +15,11 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Two cycles of a small 2-D washer with three pieces of cloth.
-constexpr const char* small_case = R"(dimension = 2
-[washer]
-radius = "0.3 m"
-stroke = { kind = "sinusoid", peak = "12 rad/s", frequency = "10 Hz" }
-[fluid]
-viscosity = "1 Pa s"
-[domain]
-cells = 32
-[cloth]
-count = 3
-size = ["0.15 m"]
-stretch_stiffness = "1e5 N/m"
-bending_stiffness = "1e-5 N m"
-excess_mass = "0.1 kg/m^2"
-thickness = "0.2 mm"
-[time]
-end = "0.3 s"
-[output]
-every = "2 ms"
-window = ["0.1 s", "0.3 s"]
-)";
-
 class Ensembles : public washtub::testing::Program {
  protected:
-  Ensembles() { std::ofstream(folder / "small.toml") << small_case; }
+  Ensembles() {
+    std::ofstream(folder / "small.toml") << washtub::testing::small_wash("0.1", "0.3");
+  }
   json pooled(const std::string& directory) const {
     std::ifstream file(folder / directory / "pooled.json");
     return json::parse(file);

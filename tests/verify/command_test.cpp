@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "support/small_wash.hpp"
 #include "verify/folder.hpp"
 
 namespace washtub {
@@ -190,29 +191,6 @@ TEST_F(Verify, InterruptedItKeepsWhatIsFinished) {
   EXPECT_EQ(json["pass"], 1);
 }
 
-/// Cloth that starts at random, in a plane tub.
-constexpr const char* drawn_case = R"(dimension = 2
-[washer]
-radius = "0.3 m"
-stroke = { kind = "sinusoid", peak = "12 rad/s", frequency = "10 Hz" }
-[fluid]
-viscosity = "1 Pa s"
-[domain]
-cells = 32
-[cloth]
-count = 3
-size = ["0.15 m"]
-stretch_stiffness = "1e5 N/m"
-bending_stiffness = "1e-5 N m"
-excess_mass = "0.1 kg/m^2"
-thickness = "0.2 mm"
-[time]
-end = "0.2 s"
-[output]
-every = "2 ms"
-window = ["0 s", "0.2 s"]
-)";
-
 constexpr const char* drawn_expected = R"(title = "Drawn"
 [[run]]
 name = "both"
@@ -234,7 +212,7 @@ source = "starts differ"
 
 TEST_F(Verify, ARunMayBeAnEnsemble) {
   std::filesystem::remove_all(folder.path("cases/tiny"));
-  folder.write("cases/drawn/case.toml", drawn_case);
+  folder.write("cases/drawn/case.toml", testing::small_wash("0", "0.2"));
   folder.write("cases/drawn/expected.toml", drawn_expected);
   const Outcome outcome = run("");
   EXPECT_EQ(outcome.code, 0) << outcome.text;
