@@ -47,6 +47,19 @@ TEST(BlockLength, MembersTellItTogether) {
   EXPECT_EQ(block_length(members), 1U);
 }
 
+/// Five members of eight independent cycles seem correlated in one case of twenty.
+TEST(BlockLength, HasTheLevelThatItSays) {
+  std::mt19937 engine(5);
+  int found = 0;
+  for (int e = 0; e < 1000; ++e) {
+    std::vector<std::vector<double>> members;
+    for (int i = 0; i < 5; ++i) members.push_back(correlated(8, 0, engine));
+    found += block_length(members) > 1;
+  }
+  EXPECT_GT(found, 20);
+  EXPECT_LT(found, 90);
+}
+
 /// 64 batches whose neighbours have the correlation 0.8: an interval from each of them holds the
 /// true mean in half of the runs, one from blocks nearly as often as it says. Independent ones are
 /// hardly widened.
